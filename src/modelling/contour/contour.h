@@ -9,6 +9,7 @@
 
 #include "base/task.h"
 #include "geometry/vec.h"
+#include "modelling/plane/vector_plane.h"
 
 namespace jalon {
 
@@ -38,9 +39,9 @@ struct ContourPiece {
   Chain outline;
   std::vector<Chain> openings;
   double area_m2 = 0;  ///< of the kept triangles
-  /// One an opening, or empty: 1 where its chain is its form, and points about it tell no more (relief covers the wall
-  /// there).
-  std::vector<uint8_t> is_settled = {};
+  /// One an opening, or none at all: the ring of an opening that was fitted to points, clockwise, whose chain tells no
+  /// more; without corners for the others.
+  std::vector<VectorRing> forms = {};
 };
 
 struct Contour {

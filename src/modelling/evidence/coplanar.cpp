@@ -37,8 +37,18 @@ double share_on(const Cloud& cloud, std::span<const uint32_t> points, const Plan
   return looked > 0 ? static_cast<double>(on) / static_cast<double>(looked) : 0;
 }
 
-// The label of the segment that each one is a piece of; by index, itself where it is none.
-std::vector<uint32_t> whole_of(const Segmentation& segmentation, double tolerance_m, Task& task) {
+Segment emptied(const Segment& piece) {
+  Segment out;
+  out.label = piece.label;
+  out.source_label = piece.source_label;
+  out.fit.plane.offset = kNaN;
+  return out;
+}
+
+}  // namespace
+
+std::vector<uint32_t> whole_walls(const Segmentation& segmentation, double tolerance_m,
+                                  Task& task) {
   const auto& segments = segmentation.segments;
   const LabelGroups groups(segmentation.labels->values<uint32_t>(), segments.size(), task);
   std::vector<size_t> upright;
@@ -66,19 +76,9 @@ std::vector<uint32_t> whole_of(const Segmentation& segmentation, double toleranc
   return out;
 }
 
-Segment emptied(const Segment& piece) {
-  Segment out;
-  out.label = piece.label;
-  out.source_label = piece.source_label;
-  out.fit.plane.offset = kNaN;
-  return out;
-}
-
-}  // namespace
-
-Segmentation with_whole_walls(const Segmentation& segmentation, double tolerance_m, Task& task) {
+Segmentation joined_pieces(const Segmentation& segmentation, const std::vector<uint32_t>& whole,
+                           Task& task) {
   Segmentation out = segmentation;
-  const std::vector<uint32_t> whole = whole_of(segmentation, tolerance_m, task);
   bool any = false;
   for (size_t s = 0; s < whole.size(); ++s) {
     if (whole[s] == out.segments[s].label) continue;

@@ -8,6 +8,7 @@
 
 #include "geometry/polygon2.h"
 #include "geometry/polygon_sets.h"
+#include "modelling/edges/find/edge_shape.h"
 #include "modelling/evidence/contour_holes.h"
 
 namespace jalon {
@@ -17,17 +18,16 @@ namespace {
 // Cells with a point of the wall end a shape; so it lies one spacing inside the opening, on average, and the contour of
 // points a third of one outside of it (kSetBack of edge_shape.h).
 constexpr double kShapeInset = 1.0, kOutsideOpening = 1.35;  // spacings
-// Cells that relief shares with what lies behind count as seen through, so that less is missing there; measured.
-constexpr double kOutsideRelief = 0.6;
 constexpr double kRim = 6;            // spacings: more than the contour looks through
 constexpr double kAtBorder = 1.5;     // spacings: nearer to the outside an opening ends there
 constexpr double kAtBorder_m = 0.06;  // and within this, a sill's or a threshold's thickness
 constexpr double kThrough = 3;  // times that: an opening at the border is cut so far beyond it
 constexpr int kPlaces = 9;      // along a side
-constexpr double kReliefShare = 0.25;  // of a border: the wall's points end elsewhere
-constexpr double kApart = 0.5;         // spacings between openings
-constexpr double kSlit = 0.5;          // spacings
-constexpr double kBesideOpening = 3;   // spacings from an opening to where nothing was measured
+constexpr double kFormSigma =
+    0.25;                       // spacings: of borders fitted to points; measured on the grammar
+constexpr double kApart = 0.5;  // spacings between openings
+constexpr double kSlit = 0.5;   // spacings
+constexpr double kBesideOpening = 3;  // spacings from an opening to where nothing was measured
 
 // Step 1: a grid in the rim of each opening.
 void add_rim(const OpeningShape& opening, double spacing_m, std::vector<Vec2>& points) {
@@ -112,13 +112,21 @@ Chain dense(std::span<const Vec2> polygon, double spacing_m) {
 // An opening as the contour draws it.
 struct DrawnShape {
   OpeningShape shape;
-  Chain hole;               ///< of the contour that shows it; else empty
-  bool is_settled = false;  ///< by relief about it
+  Chain hole;  ///< of the contour that shows it; else empty
+  VectorRing
+      form;  ///< fitted to points, where the opening is inside the wall; else without corners
 
   std::vector<Vec2> polygon(double spacing_m) const {
     return hole.empty() ? polygon_of(shape, spacing_m) : reversed_chain(hole);
   }
 };
+
+// The ring of a hole that was fitted to points.
+VectorRing form_of(const OpeningShape& shape, double spacing_m) {
+  VectorRing ring = reversed(shape.ring());
+  for (VectorEdge& edge : ring.edges) edge.sigma_m = kFormSigma * spacing_m;
+  return ring;
+}
 
 // By their holes in the contour; others a set-back outside where there is room, apart from each other.
 std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
@@ -127,9 +135,10 @@ std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
   const double spacing_m = cells.spacing_m;
   std::vector<OpeningShape> out;
   for (size_t k = 0; k < openings.size(); ++k)
-    out.push_back(
-        openings[k].grown((is_settled[k] != 0 ? kOutsideRelief : kOutsideOpening) * spacing_m));
+    out.push_back(openings[k].grown((is_settled[k] != 0 ? kSetBack : kOutsideOpening) * spacing_m));
   std::vector<Chain> holes = holes_of(plain, out, cells);
+  for (size_t k = 0; k < openings.size(); ++k)
+    if (is_settled[k] != 0) holes[k].clear();
   const auto too_near = [&](size_t i, size_t j) {
     const double room = kApart * spacing_m;
     if (!out[i].box().grown(room).meets(out[j].box())) return false;
@@ -153,7 +162,9 @@ std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
     }
   std::vector<DrawnShape> kept;
   for (size_t i = 0; i < out.size(); ++i)
-    if (is_gone[i] == 0) kept.push_back({out[i], std::move(holes[i]), is_settled[i] != 0});
+    if (is_gone[i] == 0)
+      kept.push_back({out[i], std::move(holes[i]),
+                      is_settled[i] != 0 ? form_of(openings[i], spacing_m) : VectorRing{}});
   return kept;
 }
 
@@ -225,16 +236,14 @@ std::vector<ContourPiece> with_openings(const ContourPiece& piece,
   RingBox around;
   around.add(piece.outline);
   std::vector<PolygonWithHoles> cut;
-  std::vector<std::pair<Chain, uint8_t>> inside;
+  std::vector<std::pair<Chain, VectorRing>> inside;
   for (const DrawnShape& drawn : shapes) {
     if (!drawn.shape.box().meets(around)) continue;
     Cutting cutting = cutting_of(drawn, piece.outline, spacing_m);
     const auto& polygon = cutting.polygons.front().outline;
     if (cutting.is_at_border)
       cut.insert(cut.end(), cutting.polygons.begin(), cutting.polygons.end());
-    else
-      inside.push_back({drawn.hole.empty() ? dense(polygon, spacing_m) : polygon,
-                        drawn.hole.empty() && drawn.is_settled});
+    else inside.push_back({drawn.hole.empty() ? dense(polygon, spacing_m) : polygon, drawn.form});
   }
   std::vector<ContourPiece> out;
   if (cut.empty()) {
@@ -246,11 +255,11 @@ std::vector<ContourPiece> with_openings(const ContourPiece& piece,
       if (area >= setting.min_area_m2) out.push_back({dense(left.outline, spacing_m), {}, area});
     }
   }
-  for (auto& [chain, is_settled] : inside)
+  for (auto& [chain, form] : inside)
     for (ContourPiece& part : out)
       if (contains(part.outline, chain.front())) {
         part.openings.push_back(reversed_chain(std::move(chain)));
-        part.is_settled.push_back(is_settled);
+        part.forms.push_back(std::move(form));
         break;
       }
   return out;
@@ -291,7 +300,7 @@ void add_unseen(const ContourPiece& piece, std::span<const DrawnShape> shapes, d
       for (ContourPiece& part : out) {
         if (!is_apart(left.outline, part.outline, spacing_m)) continue;
         part.openings.push_back(reversed_chain(dense(left.outline, spacing_m)));
-        part.is_settled.push_back(0);
+        part.forms.emplace_back();
         break;
       }
     }
@@ -309,7 +318,7 @@ Contour drawn_contour(std::span<const Vec2> points, std::span<const OpeningCandi
   for (const OpeningCandidate& candidate : candidates) {
     if (!candidate.is_opening) continue;
     openings.push_back(candidate.shape);
-    is_settled.push_back(candidate.relief >= kReliefShare);
+    is_settled.push_back(candidate.is_settled);
   }
   // 1. Points.
   Edited edited = edited_points(points, openings, spacing_m);

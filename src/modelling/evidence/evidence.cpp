@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.h"
 #include "modelling/evidence/contour_holes.h"
 #include "modelling/evidence/drawn_contour.h"
 #include "modelling/evidence/plane_roles.h"
 #include "modelling/evidence/recesses.h"
+#include "modelling/evidence/settled_openings.h"
 #include "modelling/plane/segment_frame.h"
 #include "segment/labels/label_groups.h"
 #include "segment/upright.h"
@@ -27,17 +29,17 @@ std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates
 
 }  // namespace
 
-std::vector<WallEvidence> gather_evidence(const Segmentation& segmentation,
-                                          const EvidenceSetting& setting, Task& task) {
-  const auto& segments = segmentation.segments;
-  std::vector<WallEvidence> out(segments.size());
+void look_at_planes(const Segmentation& segmentation, std::span<const size_t> segments,
+                    const EvidenceSetting& setting, std::vector<WallEvidence>& out, Task& task) {
+  out.resize(segmentation.segments.size());
   // 1. Planes to look at.
-  const LabelGroups groups(segmentation.labels->values<uint32_t>(), segments.size(), task);
+  const LabelGroups groups(segmentation.labels->values<uint32_t>(), out.size(), task);
   std::vector<size_t> walls;
   std::vector<CellSource> sources;
-  for (size_t s = 0; s < segments.size(); ++s) {
-    const Segment& segment = segments[s];
+  for (const size_t s : segments) {
+    const Segment& segment = segmentation.segments[s];
     const auto indices = groups.of(static_cast<uint32_t>(s + 1));
+    out[s] = {};
     if (!segment.has_plane() || segment.area_m2 < setting.least_area_m2 || indices.empty() ||
         std::fabs(segment.fit.plane.normal.z) > kWallSine)
       continue;
@@ -63,9 +65,25 @@ std::vector<WallEvidence> gather_evidence(const Segmentation& segmentation,
       evidence.measured_m2 = area_of([](WallState s) { return s == WallState::kOn; });
     }
   });
-  // 4. Surrounds, panes, leaves and rooms; loggias.
+}
+
+void tell_planes(const Segmentation& segmentation, const EvidenceSetting& setting,
+                 std::vector<WallEvidence>& out, Task& task) {
+  // 1. Surrounds, panes, leaves and rooms.
   tell_roles(out, setting.cells, task);
+  // 2. Loggias.
   tell_recesses(segmentation, out, task);
+  // 3. Openings whose borders surrounds cover.
+  settle_openings(segmentation, setting.cells.relief_m, out, task);
+}
+
+std::vector<WallEvidence> gather_evidence(const Segmentation& segmentation,
+                                          const EvidenceSetting& setting, Task& task) {
+  std::vector<size_t> all(segmentation.segments.size());
+  std::iota(all.begin(), all.end(), size_t{0});
+  std::vector<WallEvidence> out;
+  look_at_planes(segmentation, all, setting, out, task);
+  tell_planes(segmentation, setting, out, task);
   return out;
 }
 

@@ -50,6 +50,13 @@ struct EvidenceSetting {
 std::vector<WallEvidence> gather_evidence(const Segmentation& segmentation,
                                           const EvidenceSetting& setting, Task& task);
 
+/// Its two steps, for a segmentation that changes: cells and openings of the planes among these segments; and what all
+/// planes are to each other.
+void look_at_planes(const Segmentation& segmentation, std::span<const size_t> segments,
+                    const EvidenceSetting& setting, std::vector<WallEvidence>& out, Task& task);
+void tell_planes(const Segmentation& segmentation, const EvidenceSetting& setting,
+                 std::vector<WallEvidence>& out, Task& task);
+
 /// Draws the walls by their evidence and other planes as they are; a wall whose contour has the openings of its
 /// evidence, each and no other, as it is too, and sets is_plain. The evidence must outlive it.
 ContourMaker contours_by(std::vector<WallEvidence>& evidence);

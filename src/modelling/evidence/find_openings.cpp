@@ -161,7 +161,7 @@ double seen_blocks(const WallCells& cells, const OpeningShape& shape) {
   return count(sees) / std::max(1.0, count(has));
 }
 
-// Step 4.
+// Steps 3 and 4.
 bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
   if (c.inside.of(WallState::kThrough) >= kThroughCells && seen_blocks >= kSeenBlocks &&
       c.inside.share(WallState::kThrough) >= kThroughShare)
@@ -177,6 +177,29 @@ bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
   return c.bordered >= kBordered && c.inside.share(WallState::kHidden) < kHiddenMost &&
          longer <= kMostSlender * shorter;
 }
+
+// What the cells show in and about a shape, which is in cells.
+OpeningCandidate candidate_of(const WallCells& cells, const OpeningShape& shape) {
+  OpeningCandidate out;
+  for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
+    ++out.inside.cells[static_cast<size_t>(cells.at(c, r))];
+  });
+  out.bordered = bordered_share(cells, shape, Sides::kAll);
+  out.framed = framed_share(cells, shape);
+  out.relief = relief_share(cells, shape);
+  out.shape = shape.placed(cells.cell_m, cells.origin);
+  const OpenEnds open = open_ends(cells, shape);
+  out.is_open_above = open.head;
+  out.is_opening =
+      is_opening(out, seen_blocks(cells, shape), cells.origin.v) && !(open.head && open.foot);
+  return out;
+}
+
+// A shape that was seen through goes before one that nobody looked into, whatever that covers.
+struct JudgedShape {
+  FittedShape fitted;
+  bool is_opening = false;
+};
 
 }  // namespace
 
@@ -204,32 +227,25 @@ std::vector<OpeningCandidate> find_openings(const WallCells& cells, const Openin
       shapes.push_back({part, fitted.score});
   }
   // 3. One for each place.
-  std::stable_sort(shapes.begin(), shapes.end(),
-                   [](const FittedShape& a, const FittedShape& b) { return a.score > b.score; });
+  std::vector<JudgedShape> judged;
+  for (const FittedShape& shape : shapes)
+    judged.push_back({shape, candidate_of(cells, shape.shape).is_opening});
+  std::stable_sort(judged.begin(), judged.end(), [](const JudgedShape& a, const JudgedShape& b) {
+    return a.is_opening != b.is_opening ? a.is_opening : a.fitted.score > b.fitted.score;
+  });
   std::vector<OpeningShape> kept;
   std::vector<uint8_t> claimed(cells.states.size(), 0);
-  for (FittedShape& shape : shapes) {
+  for (const JudgedShape& shape : judged) {
     task.checkpoint(0);
-    if (!is_free(cells, shape.shape, claimed)) continue;
-    for_cells(cells, shape.shape,
+    if (!is_free(cells, shape.fitted.shape, claimed)) continue;
+    for_cells(cells, shape.fitted.shape,
               [&](uint32_t c, uint32_t r) { claimed[size_t{r} * cells.columns + c] = 1; });
-    kept.push_back(shape.shape);
+    kept.push_back(shape.fitted.shape);
   }
   kept = joined_lights(std::move(kept), cells.cell_m);
   // 4. Openings and what is not known.
   std::vector<OpeningCandidate> out;
-  for (const OpeningShape& shape : kept) {
-    OpeningCandidate candidate;
-    for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
-      ++candidate.inside.cells[static_cast<size_t>(cells.at(c, r))];
-    });
-    candidate.bordered = bordered_share(cells, shape, Sides::kAll);
-    candidate.framed = framed_share(cells, shape);
-    candidate.relief = relief_share(cells, shape);
-    candidate.shape = shape.placed(cells.cell_m, cells.origin);
-    candidate.is_opening = is_opening(candidate, seen_blocks(cells, shape), cells.origin.v);
-    out.push_back(std::move(candidate));
-  }
+  for (const OpeningShape& shape : kept) out.push_back(candidate_of(cells, shape));
   std::stable_sort(out.begin(), out.end(),
                    [](const OpeningCandidate& a, const OpeningCandidate& b) {
                      return a.shape.box().low.u < b.shape.box().low.u;

@@ -25,8 +25,15 @@ struct OpeningCandidate {
   double bordered = 0;  ///< share of its border along which the wall was measured
   double framed = 0;  ///< share of its border, less the wall's foot, beyond which the wall is broad
   double relief = 0;  ///< share of that along which relief covers the wall
-  bool is_opening = false;  ///< else nothing tells an opening from what was not looked at
+  bool is_opening = false;     ///< else nothing tells an opening from what was not looked at
+  bool is_open_above = false;  ///< no wall over its head
+  bool ends_at_wall = false;   ///< it would be one, but another wall begins there (plane_roles.h)
+  bool is_settled =
+      false;  ///< relief covers the wall about it: its shape is fitted to points (point_fit.h)
 };
+
+/// Of the border of an opening that relief covers the wall along: there the wall's own points end elsewhere.
+constexpr double kReliefShare = 0.25;
 
 /// Of the border of an opening that is framed: what a bay between two piers has at least.
 constexpr double kFramedShare = 0.5;
@@ -38,7 +45,8 @@ struct OpeningSearch {
 /// Openings of a wall by comparing explanations of its cells.
 /// 1. Connected cells that are not wall: boxes of the greatest score, one after the other, until what is left is small.
 /// 2. About each the shape that explains the cells best (shape_fit.h).
-/// 3. Of shapes that lie over each other the better one stays; lights of one window become one (joined_lights.h).
+/// 3. Of shapes that lie over each other one stays: an opening before what is not known, then the better one; lights of
+///    one window become one (joined_lights.h).
 /// 4. Seen through, or empty with the wall measured all round it: an opening; the others are not known.
 ///
 /// After: from left to right; shapes do not overlap by more than a fifth.

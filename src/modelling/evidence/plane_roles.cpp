@@ -13,8 +13,7 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSameWay = 0.985;     // cosine of 10 degrees
-constexpr double kFillingShare = 0.6;  // of a plane's cells in the openings of another
+constexpr double kSameWay = 0.985;    // cosine of 10 degrees
 constexpr double kSparseShare = 0.2;  // measured, of what its border encloses: panes here and there
 constexpr double kFillingDepth_m = 0.6;  // panes and leaves stand no deeper, loggias do
 constexpr double kRoomDepth_m = 12;      // rooms are no deeper
@@ -223,13 +222,6 @@ bool fills_openings(const WallEvidence& plane, const std::vector<const WallEvide
   return share_of(inside, on) >= kFillingShare;
 }
 
-double explained_m2(const WallEvidence& plane) {
-  double sum = plane.measured_m2;
-  for (const OpeningCandidate& opening : plane.openings)
-    if (opening.is_opening) sum += opening.framed * area_of(opening, plane.cells);
-  return sum;
-}
-
 std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all) {
   std::vector<size_t> order;
   std::vector<double> explained(all.size(), 0);
@@ -267,14 +259,38 @@ void end_at_other_walls(std::vector<WallEvidence>& all, const std::vector<size_t
         if (w != s && all[w].is_wall() && all[w].has_framed_openings() &&
             dot(all[w].cells.frame.normal, all[s].cells.frame.normal) >= kSameWay &&
             filled_share(all[s].cells, opening.shape, all[w].cells) >= kFilledShare)
-          opening.is_opening = false;
+          opening.is_opening = false, opening.ends_at_wall = true;
+    }
+  }
+}
+
+void forget(std::vector<WallEvidence>& all) {
+  for (WallEvidence& plane : all) {
+    plane.role = PlaneRole::kWall;
+    for (OpeningCandidate& opening : plane.openings) {
+      opening.is_opening = opening.is_opening || opening.ends_at_wall;
+      opening.ends_at_wall = false;
     }
   }
 }
 
 }  // namespace
 
+double explained_m2(const WallEvidence& plane) {
+  double sum = plane.measured_m2;
+  for (const OpeningCandidate& opening : plane.openings)
+    if (opening.is_opening) sum += opening.framed * area_of(opening, plane.cells);
+  return sum;
+}
+
+bool is_filling_at(const WallEvidence& wall, const Vec3& p) {
+  const Foot foot(wall.cells, p);
+  return foot.is_on_map && foot.depth_m > wall.cells.on_m / 2 && foot.depth_m <= kFillingDepth_m &&
+         is_in_opening(wall, foot.at, true);
+}
+
 void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task) {
+  forget(all);
   // 1. Rooms.
   tell_rooms(all, task);
   // 2. Surrounds, panes and leaves.

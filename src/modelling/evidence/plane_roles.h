@@ -20,6 +20,16 @@ namespace jalon {
 ///
 /// Before: cells, openings and areas; after: role, and is_opening of step 3. The same bits for any number of threads.
 /// O(planes^2) looks at up to 20 000 cells each.
+/// Told again, of planes that were told before, all is forgotten first.
 void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task);
+
+/// Whether a place lies in a framed opening of a wall, as deep behind the wall as panes and leaves are.
+bool is_filling_at(const WallEvidence& wall, const Vec3& p);
+
+/// Of a plane's points in such openings: what fills them has that many there.
+inline constexpr double kFillingShare = 0.6;
+
+/// What of a wall a plane accounts for: what was measured, and the openings as far as it frames them.
+double explained_m2(const WallEvidence& plane);
 
 }  // namespace jalon

@@ -101,6 +101,7 @@ std::vector<Recess> recesses_of(const WallEvidence& plane, const WallEvidence& f
 }  // namespace
 
 void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& all, Task& task) {
+  for (WallEvidence& plane : all) plane.is_recess = false;
   // 1. Walls behind openings of others. The leaf of a deep portal has no openings of its own.
   std::vector<Recess> recesses;
   std::vector<size_t> back;

@@ -11,8 +11,11 @@ namespace {
 constexpr double kBesideCells = 2;  // the wall begins this near to a border
 constexpr double kStepCells = 0.5;  // along it and away from it
 constexpr double kChordCells = 0.2;
-constexpr int kFrameCells =
-    3;  // of wall, one after the other: broader than what stands at a border by itself
+constexpr double kAcross = 0.7;  // sine of 45 degrees: sides that look up or down
+// Of wall, one after the other, broader than what stands at a border by itself: three cells, or as many as a brick is
+// long where these are more; the piers of a dormer are little broader.
+constexpr double kBrick_m = 0.24;
+constexpr int kFrameCells = 3, kLeastFrameCells = 2;
 constexpr double kFrame_m = 0.5;  // surrounds and sills are narrower
 
 // What lies beside a place of the border: wall, the outside, or neither.
@@ -33,7 +36,9 @@ Beside beside(const WallCells& cells, const Vec2& p, const Vec2& outward) {
 
 // Whether the wall lies beyond a place of the border, within a surround's width.
 bool is_framed(const WallCells& cells, const Vec2& p, const Vec2& outward) {
-  const auto reach = static_cast<int>(kBesideCells + kFrame_m / cells.cell_m) + kFrameCells;
+  const int broad = std::clamp(static_cast<int>(std::ceil(kBrick_m / cells.cell_m)),
+                               kLeastFrameCells, kFrameCells);
+  const auto reach = static_cast<int>(kBesideCells + kFrame_m / cells.cell_m) + broad;
   int on = 0;
   for (int out = 0; out < reach; ++out) {
     const Vec2 q = p + outward * (out + kStepCells);
@@ -41,7 +46,7 @@ bool is_framed(const WallCells& cells, const Vec2& p, const Vec2& outward) {
     const bool is_on =
         cells.at(static_cast<uint32_t>(q.u), static_cast<uint32_t>(q.v)) == WallState::kOn;
     on = is_on ? on + 1 : 0;
-    if (on == kFrameCells) return true;
+    if (on == broad) return true;
   }
   return false;
 }
@@ -81,6 +86,17 @@ double framed_share(const WallCells& cells, const OpeningShape& shape) {
     ++steps;
   });
   return steps > 0 ? static_cast<double>(framed) / static_cast<double>(steps) : 0;
+}
+
+OpenEnds open_ends(const WallCells& cells, const OpeningShape& shape) {
+  size_t steps[2] = {0, 0}, outside[2] = {0, 0};
+  walk(shape, Sides::kAll, [&](const Vec2& p, const Vec2& outward) {
+    if (std::fabs(outward.v) < kAcross) return;
+    const size_t end = outward.v > 0;
+    ++steps[end];
+    outside[end] += beside(cells, p, outward) == Beside::kOutside;
+  });
+  return {2 * outside[1] > steps[1], 2 * outside[0] > steps[0]};
 }
 
 double relief_share(const WallCells& cells, const OpeningShape& shape) {

@@ -14,9 +14,8 @@ namespace jalon {
 namespace {
 
 constexpr double kCostOfSize = 1.5;  // of log n
-constexpr double kClearly = 1.03;  // shapes differ from the rectangle by more than what noise gains
-constexpr double kSeenHead = 0.65;  // of the length of sloping sides
-constexpr double kRoomShare = 0.6;  // of the box's sides, about it: an arch may rise from it
+constexpr double kSeenHead = 0.65;   // of the length of sloping sides
+constexpr double kRoomShare = 0.6;   // of the box's sides, about it: an arch may rise from it
 constexpr uint32_t kRoomCells = 6;
 constexpr double kTaken = -3;
 // A wall that runs through a shape, broader than mullions are and this far within it: as much as ends a box.
@@ -124,8 +123,12 @@ double crossing_wall(const WallCells& cells, const OpeningShape& shape) {
 
 }  // namespace
 
+bool has_seen_head(const WallCells& cells, const OpeningShape& shape) {
+  return bordered_share(cells, shape, Sides::kSloping) >= kSeenHead;
+}
+
 FittedShape fitted_shape(const WallCells& cells, std::span<const uint8_t> taken, const CellBox& box,
-                         const ShapeWeights& weights) {
+                         const ShapeWeights& weights, const HeadTest& is_head_seen) {
   const Window window(cells, taken, box, weights);
   const auto number = [](uint32_t n) { return static_cast<double>(n); };
   const RingBox start{{number(box.c0), number(box.r0)}, {number(box.c1), number(box.r1)}};
@@ -144,8 +147,8 @@ FittedShape fitted_shape(const WallCells& cells, std::span<const uint8_t> taken,
   for (const ShapeKind kind : kOtherKinds)
     for (const RingBox& from : {start, grown}) {
       FittedShape other = climbed_from(shape_in(kind, from));
-      if (other.score > best.score && other.score > kClearly * straight &&
-          bordered_share(cells, other.shape, Sides::kSloping) >= kSeenHead)
+      if (other.score > best.score && other.score > weights.clearly * straight &&
+          (is_head_seen ? is_head_seen(other.shape) : has_seen_head(cells, other.shape)))
         best = std::move(other);
     }
   return best;

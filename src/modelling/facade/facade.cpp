@@ -3,8 +3,8 @@
 #include "modelling/facade/facade.h"
 
 #include "modelling/edges/join/vectorise.h"
-#include "modelling/evidence/coplanar.h"
 #include "modelling/evidence/evidence.h"
+#include "modelling/evidence/pieces_apart.h"
 #include "modelling/facade/assembly.h"
 #include "modelling/plane/ring_tools.h"
 
@@ -41,8 +41,8 @@ FacadePlan plan_model(Segmentation& segmentation, const ExtrusionSettings& setti
   std::vector<WallEvidence> evidence;
   if (by_evidence) {
     const ProgressSpan span(task, 0, 0.17, "looking through openings");
-    segmentation = with_whole_walls(segmentation, settings.plan.survey.min_depth_m, task);
-    evidence = gather_evidence(segmentation, evidence_setting(settings.plan.survey), task);
+    evidence = gather_whole_walls(segmentation, settings.plan.survey.min_depth_m,
+                                  evidence_setting(settings.plan.survey), task);
   }
   std::vector<VectorPlane> planes;
   {

@@ -61,7 +61,7 @@ std::span<const OpeningCandidate> drawn_openings(std::span<const WallEvidence> e
   return evidence[plane].openings;
 }
 
-// The holes of a wall's faces, and the bays between its pieces; walls drawn by their evidence have no bays.
+// The holes of a wall's faces, and the bays between its pieces; walls drawn by their evidence have the bays of that.
 std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, size_t wall,
                                        std::span<const WallEvidence> evidence,
                                        const FacadeGroup& group, const PlanSetting& setting) {
@@ -76,6 +76,14 @@ std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, s
     });
   });
   out.insert(out.end(), bays.begin(), bays.end());
+  if (!evidence.empty() && evidence[wall].is_wall()) {
+    std::vector<OpeningCandidate> closed =
+        evidence[wall].openings;  // a lattice's bays are told before
+    std::erase_if(closed, [&](const OpeningCandidate& opening) {
+      return opening.is_open_above || opening.shape.box().width() > setting.group.notch.max_width_m;
+    });
+    add_bays(planes[wall], closed, out);
+  }
   return out;
 }
 

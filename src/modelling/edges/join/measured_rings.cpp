@@ -42,7 +42,8 @@ struct Draft {
   bool is_opening;
   std::vector<MeasuredEdge> edges;
   std::vector<EdgeInformation> information;
-  bool is_settled = false;  ///< its edges stay where the chain has them
+  const VectorRing* form = nullptr;  ///< what it is to be drawn as; else by its edges
+  bool is_settled() const { return form != nullptr; }
 };
 
 // A short part between two longer ones that would meet beside it is a cut corner.
@@ -173,7 +174,7 @@ void follow_guides(std::vector<Draft>& drafts, std::span<const Chain> chains,
           return !edge.shape.is_arc && (edge.shape.length_m < kWeak * contour.spacing_m ||
                                         edge.shape.upright_angle() > 0);
         });
-    if (is_weak && !draft.is_settled)
+    if (is_weak && !draft.is_settled())
       draft = make_draft(*draft.chain, draft.is_opening, setting.arcs, contour, setting, &guides);
   }
 }
@@ -202,7 +203,7 @@ double distance_m(const EdgeShape& before, const EdgeShape& now) {
 template <class F>
 void settle_arcs(std::vector<Draft>& drafts, double spacing_m, F&& adjust) {
   for (Draft& draft : drafts)
-    for (size_t i = 0; i < draft.edges.size() && !draft.is_settled; ++i)
+    for (size_t i = 0; i < draft.edges.size() && !draft.is_settled(); ++i)
       for (int pass = 0; pass < kArcPasses && draft.edges[i].shape.is_arc; ++pass) {
         const EdgeShape before = draft.edges[i].shape;
         draft.information[i] = adjust(draft.edges[i]);
@@ -226,7 +227,7 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
     std::array<std::vector<const MeasuredEdge*>, kClasses> classes;
     for (Draft& draft : drafts)
       for (MeasuredEdge& edge : draft.edges) {
-        if (draft.is_settled) continue;
+        if (draft.is_settled()) continue;
         collect(edge);
         classes[static_cast<size_t>(edge.shape.direction)].push_back(&edge);
       }
@@ -244,7 +245,7 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
 
 // An arc that nothing but a ragged contour speaks for.
 bool has_doubtful_arc(const Draft& draft, double spacing_m) {
-  return !draft.is_settled &&
+  return !draft.is_settled() &&
          std::any_of(draft.edges.begin(), draft.edges.end(), [&](const MeasuredEdge& edge) {
            const EdgeShape& s = edge.shape;
            return s.is_arc &&
@@ -254,6 +255,11 @@ bool has_doubtful_arc(const Draft& draft, double spacing_m) {
 
 // Steps 4 and 5.
 VectorRing draw(const Draft& draft, const Contour& contour) {
+  if (draft.form != nullptr) {
+    VectorRing ring = *draft.form;
+    ring.contour = *draft.chain;
+    return ring;
+  }
   const size_t n = draft.edges.size();
   std::vector<EdgeShape> shapes;
   for (const MeasuredEdge& edge : draft.edges) shapes.push_back(edge.shape);
@@ -283,7 +289,8 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
       task.checkpoint(0);
       const Chain& chain = k == 0 ? piece.outline : piece.openings[k - 1];
       drafts.push_back(make_draft(chain, k > 0, setting.arcs, contour, setting, nullptr));
-      drafts.back().is_settled = k > 0 && !piece.is_settled.empty() && piece.is_settled[k - 1] != 0;
+      if (k > 0 && !piece.forms.empty() && !piece.forms[k - 1].corners.empty())
+        drafts.back().form = &piece.forms[k - 1];
       chains.push_back(chain);
     }
   if (setting.lines == LineMethod::kBestCuts) follow_guides(drafts, chains, source, setting);
@@ -308,7 +315,7 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   std::vector<MeasuredEdge*> all;
   for (Draft& draft : drafts)
     for (MeasuredEdge& edge : draft.edges)
-      if (!draft.is_settled) all.push_back(&edge);
+      if (!draft.is_settled()) all.push_back(&edge);
   align_edges(all, contour.spacing_m);
   std::vector<VectorRing> out;
   for (const Draft& draft : drafts) out.push_back(draw(draft, contour));

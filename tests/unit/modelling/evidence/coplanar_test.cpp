@@ -30,7 +30,7 @@ Segmentation segmentation_with(const std::vector<std::vector<Vec3>>& parts) {
 
 Segmentation whole(const Segmentation& segmentation, double tolerance_m = 0.02) {
   Task task;
-  return with_whole_walls(segmentation, tolerance_m, task);
+  return joined_pieces(segmentation, whole_walls(segmentation, tolerance_m, task), task);
 }
 
 size_t label_count(const Segmentation& segmentation, uint32_t label) {
@@ -40,7 +40,7 @@ size_t label_count(const Segmentation& segmentation, uint32_t label) {
 
 }  // namespace
 
-TEST_CASE("with_whole_walls__piers_five_metres_apart_on_one_plane_become_one_segment") {
+TEST_CASE("joined_pieces__piers_five_metres_apart_on_one_plane_become_one_segment") {
   const Segmentation before = segmentation_with({piece(3, {}), piece(1, {8, 0, 0})});
   const Segmentation after = whole(before);
   const size_t large = label_count(before, 1), small = label_count(before, 2);
@@ -62,7 +62,7 @@ TEST_CASE("with_whole_walls__piers_five_metres_apart_on_one_plane_become_one_seg
   CHECK(after.orientations == before.orientations);
 }
 
-TEST_CASE("with_whole_walls__a_panel_five_centimetres_proud_a_pane_and_a_turned_wall_stay") {
+TEST_CASE("joined_pieces__a_panel_five_centimetres_proud_a_pane_and_a_turned_wall_stay") {
   const Segmentation before = segmentation_with(
       {piece(3, {}), piece(1, {4, -0.05, 0}), piece(1, {1, 0.2, 0}), piece(1, {6, 0, 0}, 0.5)});
   const Segmentation after = whole(before);
@@ -74,7 +74,7 @@ TEST_CASE("with_whole_walls__a_panel_five_centimetres_proud_a_pane_and_a_turned_
   CHECK(label_count(whole(before, 0.07), 2) == 0);
 }
 
-TEST_CASE("with_whole_walls__joins_all_pieces_to_the_largest_wherever_it_stands") {
+TEST_CASE("joined_pieces__joins_all_pieces_to_the_largest_wherever_it_stands") {
   const Segmentation before = segmentation_with(
       {piece(1, {8, 0, 0}), piece(1, {20, 3, 0}), piece(3, {}), piece(0.5, {12, 0, 0})});
   const Segmentation after = whole(before);
@@ -84,7 +84,7 @@ TEST_CASE("with_whole_walls__joins_all_pieces_to_the_largest_wherever_it_stands"
   CHECK(label_count(after, 3) == before.cloud->size() - label_count(before, 2));
 }
 
-TEST_CASE("with_whole_walls__floors_and_points_without_a_label_stay_as_they_are") {
+TEST_CASE("joined_pieces__floors_and_points_without_a_label_stay_as_they_are") {
   std::vector<Vec3> floor, other_floor;
   for (double x = 0; x < 3; x += 0.05)
     for (double y = 0; y < 3; y += 0.05) {

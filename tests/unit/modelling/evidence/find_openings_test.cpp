@@ -146,6 +146,18 @@ TEST_CASE("find_openings__what_was_seen_through_one_corner_only_is_not_an_openin
             .empty());
 }
 
+TEST_CASE("find_openings__a_window_over_a_hidden_band_is_found_although_the_band_is_larger") {
+  // A parapet hides the wall over all its width, and the foot of the window with it.
+  const OpeningList found = PaintedWall()
+                                .with(2, 1, 8, 2, WallState::kEmpty)
+                                .with(5, 1, 1.2, 2, WallState::kEmpty)
+                                .with(5, 3, 1.2, 0.9, WallState::kThrough, 0.5)
+                                .openings();
+  REQUIRE(found.size() == 1);
+  CHECK(found[0].shape.box().low.u == doctest::Approx(105).epsilon(0.001));
+  CHECK(found[0].shape.box().high.v == doctest::Approx(23.9).epsilon(0.003));
+}
+
 TEST_CASE("find_openings__a_window_of_two_lights_is_one_and_windows_at_a_pier_are_two") {
   const auto two = [](double bar_m) {
     return PaintedWall()

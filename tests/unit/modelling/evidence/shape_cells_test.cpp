@@ -98,3 +98,18 @@ TEST_CASE("framed_share__is_that_of_the_border_beyond_which_the_wall_is_broad") 
   paint(cells, {18, 20, 20, 40}, WallState::kOn);
   CHECK(framed_share(cells, kSquare) == doctest::Approx(0.75).epsilon(0.02));
 }
+
+TEST_CASE("open_ends__tell_gaps_between_dormers_from_windows_and_doors") {
+  // Two dormers of 20 x 20 cells, the sky over them and between; a window in one.
+  WallCells cells = cells_of(60, 60, WallState::kOutside);
+  paint(cells, {5, 20, 25, 40}, WallState::kOn);
+  paint(cells, {35, 20, 55, 40}, WallState::kOn);
+  paint(cells, {25, 22, 35, 38}, WallState::kThrough);
+  paint(cells, {10, 20, 20, 34}, WallState::kThrough);
+  const OpenEnds gap = open_ends(cells, rectangle(25, 35, 22, 38)),
+                 window = open_ends(cells, rectangle(10, 20, 20, 34)),
+                 inside = open_ends(cells, rectangle(40, 50, 25, 35));
+  CHECK((gap.head && gap.foot));
+  CHECK((!window.head && window.foot));
+  CHECK((!inside.head && !inside.foot));
+}

@@ -77,3 +77,18 @@ TEST_CASE("evident_holes__an_opening_whose_form_shows_in_no_face_is_a_bay_beside
   wall.faces.clear();
   CHECK(evident_holes(wall, candidates).empty());
 }
+
+TEST_CASE("add_bays__openings_without_a_hole_become_bays_unless_a_hole_lies_over_them") {
+  // A dormer whose foot nobody saw: its window is a gap between two piers.
+  VectorFace face;
+  face.outline =
+      rings::ring_of({{0, 0}, {1, 0}, {1, 1.2}, {2, 1.2}, {2, 0}, {3, 0}, {3, 2}, {0, 2}});
+  const VectorPlane wall = rings::wall_of({face}, kDrawnSpacing_m);
+  std::vector<WallHole> holes;
+  add_bays(wall, std::vector<OpeningCandidate>{candidate_at({1.02, 0}, {1.98, 1.18})}, holes);
+  REQUIRE(holes.size() == 1);
+  CHECK(holes[0].is_bay);
+  // Two bays are there already: what spans both is none.
+  add_bays(wall, std::vector<OpeningCandidate>{candidate_at({1.02, -2}, {1.98, 1.18})}, holes);
+  CHECK(holes.size() == 1);
+}
