@@ -16,6 +16,7 @@ ENUMS = {
     "DIRECTION_LEFT": ("Direction", "DIRECTION_"), "FRONT_NONE": ("FrontSource", "FRONT_"),
     "PRIMITIVE_PLANE": ("Primitive", "PRIMITIVE_"), "OK": ("Status", ""), "TARGET_SPHERE": ("TargetKind", "TARGET_"),
     "MATCH_ACCEPTED": ("Match", "MATCH_"), "OBSERVATION_DIRECTION": ("Observation", "OBSERVATION_"),
+    "APART_UNKNOWN": ("ApartCause", "APART_"),
     "LOG_DEBUG": ("LogLevel", "LOG_"), "INT8": ("ElementType", ""), "NOT_RECOVERED": ("Recovery", ""),
 }
 # Parameters that are one of an enum, and fields of the structs of C.
