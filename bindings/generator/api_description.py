@@ -83,7 +83,7 @@ NULLABLE = {
     "jalon_registrar_run.start",
     "jalon_report_write_html.model", "jalon_report_write_json.model",
     "jalon_report_write_comparison.reverse", "jalon_report_write_comparison.changes",
-    "jalon_report_write_adjustment.truth", "jalon_network_adjust.points",
+    "jalon_report_write_adjustment.truth",
     "jalon_report_write_registration.reference", "jalon_report_write_registration.moving",
     "jalon_trajectory_create.crs",
     "jalon_model_building_strips.model", "jalon_model_building_strips.strips",

@@ -98,6 +98,7 @@ inline constexpr Format kFormats[] = {
      .mark = "ASTM-E57",
      .read_cloud = read_e57,
      .write_cloud = write_e57,
+     .keeps_stations = true,
      .by_codecs = true},
     {.name = "LAS",
      .keyword = "las",

@@ -33,7 +33,8 @@ constexpr auto kRowsOfNetworks = setting_rows(
                                      "Standard deviation of the instrument's place over its point, "
                                      "in x and in y, once a setup."),
     number_row<&S::sigma_target_centring_m>("sigma_target_centring_m", 0, 1, "m", "",
-                                            "The same of a target, once for each setup that "
+                                            "Standard deviation of a target's place over its "
+                                            "point, in x and in y, once for each setup that "
                                             "sights it."),
     number_row<&S::sigma_height_m>("sigma_height_m", 0, 1, "m", "",
                                    "Standard deviation of the instrument's height, once a setup."),

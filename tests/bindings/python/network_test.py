@@ -50,18 +50,18 @@ class Networks(unittest.TestCase):
         self.assertIn("window", segmentation.notes)
 
     def python__a_blunder_is_named_by_its_line(self):
-        wrong = sights().replace("B;C;", "B;C;1", 1)
+        wrong = sights().replace("50.0000", "50.5000", 1)  # from A to B, both fixed
         network = jalon.Network.adjust(wrong, NAILS, refraction=1)
         observations = network.observations
         worst = np.argmax(np.abs(observations["normalised"]))
-        self.assertEqual(observations["line"][worst], 5)
+        self.assertEqual(observations["line"][worst], 2)
         self.assertEqual(observations["outlier"][worst], 1)
 
     def python__what_is_wrong_is_told_by_its_line(self):
         with self.assertRaisesRegex(jalon.FormatError, "observations, line 2"):
             jalon.Network.adjust("from to distance\nA B long\n", NAILS)
         with self.assertRaisesRegex(ValueError, "nothing holds"):
-            jalon.Network.adjust(sights())
+            jalon.Network.adjust(sights(), "")
 
 
 if __name__ == "__main__":

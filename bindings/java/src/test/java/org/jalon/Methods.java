@@ -92,6 +92,9 @@ final class Methods {
   private static void run() {
     try (Cloud cloud = Cloud.create(Behaviours.dome(60), 0)) {
       for (String name : Segmenter.methods()) {
+        if (name.equals("scan_lines")) {
+          continue; // nobody scanned these points: they have no rows
+        }
         try (Segmenter segmenter = Segmenter.create(name); Segmentation segmentation = segmenter.run(cloud);
             Fields points = segmentation.points()) {
           same(cloud.count(), (long) points.doubles("label").length);
