@@ -153,7 +153,7 @@ ends 4 'folder.las: it is a folder; a file is needed' clean wall.xyz -o folder.l
 ends 4 'there is no folder nowhere' normals wall.xyz -o nowhere/new.ply
 ends 4 'there is no folder nowhere' evaluate-segmentation seg/segments.las seg/segments.las --csv nowhere/new.csv
 ends 4 'folder: it is a folder; a file is needed' scan -o new.las --model folder
-ends 6 'there are: las, ply' normals wall.xyz -o new.xxx
+ends 6 'there are: .*las, ply' normals wall.xyz -o new.xxx
 ends 6 'there are: ply, obj' scan -o new.las --model new.xxx
 
 # Nothing found: a code of its own and no empty files.
