@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kNoise_m_to_mm = 1e3;
+constexpr double kMm_per_m = 1e3;
 constexpr size_t kMostOutliersListed = 10;
 
 const char* kind_name(uint64_t kind) {
@@ -78,7 +78,7 @@ struct NetworkJob {
     console.say(summary["points"].dump() + " points, " + summary["setups"].dump() + " setups, " +
                 summary["observations"].dump() + " observations, " + summary["redundancy"].dump() +
                 " to spare");
-    console.say("largest standard deviation of a coordinate " + fixed(most * kNoise_m_to_mm, 1) +
+    console.say("largest standard deviation of a coordinate " + fixed(most * kMm_per_m, 1) +
                 " mm, global test p = " + fixed(summary["p_value"].get<double>(), 3));
     if (summary["converged"] == 0) console.warn("the adjustment has not converged");
     std::vector<const Json*> outliers;

@@ -50,9 +50,7 @@ Segmentation segment_hough(const CloudPtr& cloud, const HoughSettings& settings,
   require_area(*cloud, task);
   RansacScene scene = [&] {
     ProgressSpan span(task, 0, 0.3, "indexing");
-    RansacScene made{indexed_scene(*cloud, settings.surface, task), {}, {}};
-    look_at_cells(made, task);
-    return made;
+    return RansacScene{scene_with_cells(*cloud, settings.surface, task), {}, {}};
   }();
   std::vector<Surface> surfaces = [&] {
     ProgressSpan span(task, 0.3, 0.7, "counting votes");

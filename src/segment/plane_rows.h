@@ -24,6 +24,14 @@ constexpr auto plane_least_rows(const char* method) {
                                                 "Fewest points of a segment."));
 }
 
+/// The raster that counts areas.
+constexpr auto plane_pixel_rows(const char* method) {
+  return setting_rows(number_row<&SurfaceSettings::pixel_m>(
+      "pixel_m", 0, 100, "m", method,
+      "Edge of a raster pixel for area and re-assignment; 0 = twice the point spacing of the "
+      "segment."));
+}
+
 /// What is done with the planes once they are found.
 constexpr auto plane_ending_rows(const char* method) {
   return setting_rows(

@@ -26,10 +26,7 @@ constexpr double kSpacingsPerGap = 4;      // "3 to 5 spacings"
 constexpr double kSpacingsPerNode = 1.2;   // below it nodes stand behind each other in the noise
 
 constexpr auto kProfileLeast = plane_least_rows("profiles");
-constexpr auto kProfilePixel = setting_rows(number_row<&SurfaceSettings::pixel_m>(
-    "pixel_m", 0, 100, "m", "profiles",
-    "Edge of a raster pixel for area and re-assignment; 0 = twice the point spacing of the "
-    "segment."));
+constexpr auto kProfilePixel = plane_pixel_rows("profiles");
 constexpr auto kProfileEnding = plane_ending_rows("profiles");
 
 constexpr auto kProfileRows = setting_rows(
@@ -132,9 +129,7 @@ Segmentation segment_by_profiles(const CloudPtr& cloud, const ProfileSettings& s
   require_area(*cloud, task);
   SegmentScene scene = [&] {
     ProgressSpan span(task, 0, 0.3, "indexing");
-    SegmentScene made = indexed_scene(*cloud, settings.surface, task);
-    look_at_cells(made, task);
-    return made;
+    return scene_with_cells(*cloud, settings.surface, task);
   }();
   std::vector<Surface> surfaces;
   const std::vector<Vec3> axes = axes_of(settings);

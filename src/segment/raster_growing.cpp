@@ -187,9 +187,7 @@ Segmentation segment_raster_growing(const CloudPtr& cloud, const RasterSettings&
   require_area(*cloud, task);
   SegmentScene scene = [&] {
     ProgressSpan span(task, 0, 0.3, "indexing");
-    SegmentScene made = indexed_scene(*cloud, settings.surface, task);
-    look_at_cells(made, task);
-    return made;
+    return scene_with_cells(*cloud, settings.surface, task);
   }();
   std::vector<Surface> surfaces = [&] {
     ProgressSpan span(task, 0.3, 0.7, "growing on rasters");

@@ -16,10 +16,7 @@ namespace jalon {
 namespace {
 
 constexpr auto kScanLineLeast = plane_least_rows("scan_lines");
-constexpr auto kScanLinePixel = setting_rows(number_row<&SurfaceSettings::pixel_m>(
-    "pixel_m", 0, 100, "m", "scan_lines",
-    "Edge of a raster pixel for area and re-assignment; 0 = twice the point spacing of the "
-    "segment."));
+constexpr auto kScanLinePixel = plane_pixel_rows("scan_lines");
 constexpr auto kScanLineEnding = plane_ending_rows("scan_lines");
 
 constexpr auto kScanLineRows = setting_rows(
@@ -77,9 +74,7 @@ Segmentation segment_by_scan_lines(const CloudPtr& cloud, const ScanLineSettings
   }();
   SegmentScene scene = [&] {
     ProgressSpan span(task, 0.1, 0.4, "indexing");
-    SegmentScene made = indexed_scene(*cloud, settings.surface, task);
-    look_at_cells(made, task);
-    return made;
+    return scene_with_cells(*cloud, settings.surface, task);
   }();
   std::vector<Surface> surfaces = [&] {
     ProgressSpan span(task, 0.4, 0.7, "growing lines");

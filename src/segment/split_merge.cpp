@@ -22,10 +22,7 @@ constexpr int kSplitRounds =
     3;  // the later ones find what stands at the edges of the first one's planes
 
 constexpr auto kSplitLeast = plane_least_rows("split_merge");
-constexpr auto kSplitPixel = setting_rows(number_row<&SurfaceSettings::pixel_m>(
-    "pixel_m", 0, 100, "m", "split_merge",
-    "Edge of a raster pixel for area and re-assignment; 0 = twice the point spacing of the "
-    "segment."));
+constexpr auto kSplitPixel = plane_pixel_rows("split_merge");
 constexpr auto kSplitEnding = plane_ending_rows("split_merge");
 
 constexpr auto kSplitRows = setting_rows(
@@ -82,9 +79,7 @@ Segmentation segment_split_merge(const CloudPtr& cloud, const SplitSettings& set
   require_area(*cloud, task);
   SegmentScene scene = [&] {
     ProgressSpan span(task, 0, 0.3, "indexing");
-    SegmentScene made = indexed_scene(*cloud, settings.surface, task);
-    look_at_cells(made, task);
-    return made;
+    return scene_with_cells(*cloud, settings.surface, task);
   }();
   std::vector<Surface> surfaces = [&] {
     ProgressSpan span(task, 0.3, 0.85, "splitting and merging");

@@ -24,10 +24,7 @@ constexpr int kTriangleRounds =
 constexpr size_t kTriangleCellsPerChunk = 1 << 14;
 
 constexpr auto kTriangleLeast = plane_least_rows("triangle_growing");
-constexpr auto kTrianglePixel = setting_rows(number_row<&SurfaceSettings::pixel_m>(
-    "pixel_m", 0, 100, "m", "triangle_growing",
-    "Edge of a raster pixel for area and re-assignment; 0 = twice the point spacing of the "
-    "segment."));
+constexpr auto kTrianglePixel = plane_pixel_rows("triangle_growing");
 constexpr auto kTriangleEnding = plane_ending_rows("triangle_growing");
 
 constexpr auto kTriangleRows = setting_rows(
@@ -93,9 +90,7 @@ Segmentation segment_triangle_growing(const CloudPtr& cloud, const TriangleSetti
   require_area(*cloud, task);
   SegmentScene scene = [&] {
     ProgressSpan span(task, 0, 0.2, "indexing");
-    SegmentScene made = indexed_scene(*cloud, settings.surface, task);
-    look_at_cells(made, task);
-    return made;
+    return scene_with_cells(*cloud, settings.surface, task);
   }();
   std::vector<Surface> surfaces = [&] {
     ProgressSpan span(task, 0.2, 0.85, "triangulating");

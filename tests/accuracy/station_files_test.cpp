@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "change_scenes.h"
@@ -35,7 +36,7 @@ TriangleScene yard(uint64_t seed) {
 
 // Through a file of this name and back.
 CloudPtr from_file(const CloudPtr& cloud, const std::string& extension) {
-  std::string folder = "/tmp/jalon-stations-XXXXXX";
+  std::string folder = (std::filesystem::temp_directory_path() / "jalon-stations-XXXXXX").string();
   REQUIRE(::mkdtemp(folder.data()) != nullptr);
   Task task;
   Cloud bare = *cloud;

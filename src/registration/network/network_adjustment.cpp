@@ -48,7 +48,7 @@ double greatest_move_m(const NetworkProblem& problem, const Eigen::VectorXd& dx)
 // Step 2.
 std::unique_ptr<Solution> settle(const NetworkProblem& problem, NetworkAdjustment& made,
                                  Task& task) {
-  made.steps.clear();
+  made.steps_m.clear();
   made.is_converged = false;
   auto at = std::make_unique<Solution>(problem, problem.start());
   for (int i = 0; i < problem.settings.most_iterations && !made.is_converged; ++i) {
@@ -57,23 +57,11 @@ std::unique_ptr<Solution> settle(const NetworkProblem& problem, NetworkAdjustmen
     const double move_m = greatest_move_m(problem, dx);
     if (!(move_m < kFurthest_m))
       fail(Status::kDegenerate, "the network's adjustment diverges: sights contradict each other");
-    made.steps.push_back({squares_of(at->equations), move_m});
+    made.steps_m.push_back(move_m);
     made.is_converged = move_m <= problem.settings.tolerance_m;
     at = std::make_unique<Solution>(problem, at->x + dx);
   }
   return at;
-}
-
-Eigen::VectorXd dense(const SparseRow& row, Index n) {
-  Eigen::VectorXd made = Eigen::VectorXd::Zero(n);
-  for (size_t k = 0; k < row.count; ++k) made[row.entries[k].first] += row.entries[k].second;
-  return made;
-}
-
-double times(const SparseRow& row, const Eigen::VectorXd& x) {
-  double sum = 0;
-  for (size_t k = 0; k < row.count; ++k) sum += row.entries[k].second * x[row.entries[k].first];
-  return sum;
 }
 
 // Steps 3 and 4 of one group: Q_v = C - A Q A^T, tested by P v and P Q_v P.
@@ -83,9 +71,9 @@ void test_group(const NetworkLinearised::Group& group, const Solution& at, const
   Eigen::MatrixXd cofactor = group.covariance;
   for (Index j = 0; j < n; ++j) {
     const SparseRow& row = at.equations.rows[group.members[static_cast<size_t>(j)]];
-    const Eigen::VectorXd q = at.system.solve(dense(row, at.x.size()));
+    const Eigen::VectorXd q = at.system.solve(row.dense(at.x.size()));
     for (Index i = 0; i < n; ++i)
-      cofactor(i, j) -= times(at.equations.rows[group.members[static_cast<size_t>(i)]], q);
+      cofactor(i, j) -= at.equations.rows[group.members[static_cast<size_t>(i)]].times(q);
   }
   const Eigen::MatrixXd shown = cofactor.lazyProduct(group.weight),
                         control = group.weight.lazyProduct(shown);
@@ -108,7 +96,7 @@ void test_rejected(const NetworkProblem& problem, uint32_t number, const Solutio
                    const Snooping& snooping, AdjustedObservation& o) {
   const Eigen::MatrixXd own = problem.covariance({{number}}, at.x);
   const SparseRow& row = at.equations.rows[number];
-  const double variance = own(0, 0) + times(row, at.system.solve(dense(row, at.x.size())));
+  const double variance = own(0, 0) + row.times(at.system.solve(row.dense(at.x.size())));
   o.sigma = std::sqrt(own(0, 0));
   o.redundancy = 1;
   if (snooping.sigma0() > 0) o.normalised = o.residual / std::sqrt(variance) / snooping.sigma0();

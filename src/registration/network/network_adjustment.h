@@ -26,17 +26,12 @@ struct AdjustedObservation {
   bool is_outlier = false;
 };
 
-struct NetworkStep {
-  double weighted_squares = 0;  ///< before the step
-  double step_m = 0;            ///< the greatest change of a coordinate
-};
-
 struct NetworkAdjustment {
   Survey survey;
   std::vector<NetworkObservation> kinds;  ///< what each observation is of
   std::vector<AdjustedPoint> points;
   std::vector<AdjustedObservation> observations;
-  std::vector<NetworkStep> steps;  ///< of the last adjustment
+  std::vector<double> steps_m;  ///< of the last adjustment: the greatest change of a coordinate
   bool is_converged = false;
   int unknowns = 0, defect = 0, redundancy = 0;
   size_t rejected = 0;

@@ -51,6 +51,16 @@ struct SparseRow {
   void add(int unknown, double value) {
     if (unknown != kNoUnknown) entries[count++] = {unknown, value};
   }
+  Eigen::VectorXd dense(Eigen::Index unknowns) const {
+    Eigen::VectorXd made = Eigen::VectorXd::Zero(unknowns);
+    for (size_t k = 0; k < count; ++k) made[entries[k].first] += entries[k].second;
+    return made;
+  }
+  double times(const Eigen::VectorXd& x) const {
+    double sum = 0;
+    for (size_t k = 0; k < count; ++k) sum += entries[k].second * x[entries[k].first];
+    return sum;
+  }
 };
 
 struct NetworkProblem {

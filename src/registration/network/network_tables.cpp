@@ -47,9 +47,9 @@ Ends ends_of(const Survey& survey, const NetworkObservation& o) {
 FieldTable network_summary(const NetworkAdjustment& n) {
   FieldTable t;
   add_value<uint8_t>(t, "converged", "", "1: the coordinates stay", n.is_converged);
-  add_value<uint64_t>(t, "iterations", "", "steps", n.steps.size());
+  add_value<uint64_t>(t, "iterations", "", "steps", n.steps_m.size());
   add_value<double>(t, "last_step", "m", "greatest change of a coordinate in the last step",
-                    n.steps.empty() ? 0 : n.steps.back().step_m);
+                    n.steps_m.empty() ? 0 : n.steps_m.back());
   add_value<uint64_t>(t, "points", "", "", n.points.size());
   add_value<uint64_t>(t, "setups", "", "of the instrument", n.survey.setups.size());
   add_value<uint64_t>(t, "observations", "", "centrings included", n.observations.size());

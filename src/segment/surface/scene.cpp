@@ -56,6 +56,12 @@ void look_at_cells(SegmentScene& scene, Task& task) {
   estimate_local_surface(scene, task);
 }
 
+SegmentScene scene_with_cells(const Cloud& cloud, const SurfaceSettings& settings, Task& task) {
+  SegmentScene made = indexed_scene(cloud, settings, task);
+  look_at_cells(made, task);
+  return made;
+}
+
 void release_points(SegmentScene& scene) {
   scene.order = {};
   scene.tree.reset();

@@ -81,6 +81,8 @@ struct SegmentScene {
 SegmentScene indexed_scene(const Cloud& cloud, const SurfaceSettings& settings, Task& task);
 /// Adds the octree's cells, and normals and spacing from them.
 void look_at_cells(SegmentScene& scene, Task& task);
+/// Both.
+SegmentScene scene_with_cells(const Cloud& cloud, const SurfaceSettings& settings, Task& task);
 
 /// Gives back the index and the columns of the points; origin, settings and axes stay.
 void release_points(SegmentScene& scene);

@@ -59,4 +59,20 @@ void takes_staggered_strips_one_by_one(F&& segment) {
   }
 }
 
+/// A plane without noise whose points were stored thrice, one of them over and over, is one segment.
+template <class F>
+void survives_repeated_points(F&& segment) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < 60; ++i)
+    for (int k = 0; k < 60; ++k)
+      for (int copy = 0; copy < 3; ++copy) points.push_back({0.05 * i, 0.05 * k, 1});
+  for (int i = 0; i < 20000; ++i)
+    points.push_back({1.5, 1.5, 1});  // one pulse stored over and over
+  const Segmentation s = segment(cloud_of(points));
+  REQUIRE(s.segments.size() == 1);
+  CHECK(s.segments[0].fit.n == points.size());
+  CHECK(s.segments[0].fit.sigma < 1e-9);
+  CHECK(s.segments[0].orientation == Orientation::kHorizontal);
+}
+
 }  // namespace jalon::test

@@ -6,6 +6,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <numbers>
 
 #include "base/distributions.h"
 #include "base/error.h"
@@ -160,6 +161,46 @@ TEST_CASE("network__a_free_network_keeps_its_shape_its_centre_and_its_bearing") 
     return norm(n.points[1].position - n.points[4].position);
   };
   CHECK(apart(own) == doctest::Approx(apart(made)).epsilon(1e-7));
+}
+
+TEST_CASE("network__order_of_sights_a_field_books_decimals_and_a_jitter_hardly_move_it") {
+  const NetworkSettings settings;
+  RandomStream random(6, 14), tenth(6, 15);
+  const Survey survey = observed(settings, {&random});
+  const NetworkAdjustment made = adjusted(survey, settings);
+  const auto moved_sigmas = [&](const Survey& other) {
+    const NetworkAdjustment again = adjusted(other, settings);
+    double most = 0;
+    for (size_t i = 0; i < made.points.size(); ++i)
+      for (int axis = 0; axis < 3; ++axis) {
+        const double sigma_m =
+            std::sqrt(made.points[i].covariance_m2[4 * static_cast<size_t>(axis)]);
+        const double by_m =
+            std::abs(again.points[i].position[axis] - made.points[i].position[axis]);
+        most = std::max(most, sigma_m > 0 ? by_m / sigma_m : by_m);
+      }
+    return most;
+  };
+  Survey reversed = survey, rounded = survey, jittered = survey;
+  std::reverse(reversed.sightings.begin(), reversed.sightings.end());
+  const auto to_step = [](double v, double step) { return std::round(v / step) * step; };
+  constexpr double kTenthOfMilligon_rad = 1e-4 * std::numbers::pi / 200;
+  for (SurveySight& s : rounded.sightings) {
+    s.direction_rad = to_step(s.direction_rad, kTenthOfMilligon_rad);
+    s.zenith_rad = to_step(s.zenith_rad, kTenthOfMilligon_rad);
+    s.distance_m = to_step(s.distance_m, 1e-4);
+  }
+  for (SurveySight& s : jittered.sightings) {
+    s.direction_rad += 0.1 * settings.sigma_direction_rad * tenth.normal();
+    s.zenith_rad += 0.1 * settings.sigma_zenith_rad * tenth.normal();
+    s.distance_m += 0.1 * settings.sigma_distance_m * tenth.normal();
+  }
+  CHECK(moved_sigmas(reversed) < 1e-6);
+  const double by_decimals = moved_sigmas(rounded), by_jitter = moved_sigmas(jittered);
+  MESSAGE("FIGURE network: most that moves, in its sigmas: decimals of a field book "
+          << by_decimals << ", a jitter of a tenth of the noise " << by_jitter);
+  CHECK(by_decimals < 0.1);
+  CHECK(by_jitter < 0.3);
 }
 
 TEST_CASE("network__weak_points_move_by_what_their_sigmas_allow") {

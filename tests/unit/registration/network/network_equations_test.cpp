@@ -31,8 +31,7 @@ TEST_CASE("network_equations__every_row_is_the_slope_of_its_residual") {
   constexpr double kStep = 1e-4;
   for (const NetworkObservation& o : problem.observations) {
     problem.residual(o, x, row);
-    Eigen::VectorXd slopes = Eigen::VectorXd::Zero(x.size());
-    for (size_t k = 0; k < row.count; ++k) slopes[row.entries[k].first] += row.entries[k].second;
+    const Eigen::VectorXd slopes = row.dense(x.size());
     for (size_t k = 0; k < row.count; ++k) {
       const int u = row.entries[k].first;
       Eigen::VectorXd low = x, high = x;

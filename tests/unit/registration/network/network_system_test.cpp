@@ -25,9 +25,7 @@ Eigen::MatrixXd normal_of(const NetworkProblem& problem, const NetworkLinearised
   for (const auto& group : equations.groups) {
     Eigen::MatrixXd a = Eigen::MatrixXd::Zero(group.weight.rows(), problem.unknowns.count);
     for (size_t i = 0; i < group.members.size(); ++i) {
-      const SparseRow& row = equations.rows[group.members[i]];
-      for (size_t k = 0; k < row.count; ++k)
-        a(static_cast<Eigen::Index>(i), row.entries[k].first) += row.entries[k].second;
+      a.row(static_cast<Eigen::Index>(i)) = equations.rows[group.members[i]].dense(a.cols());
     }
     n += a.transpose() * group.weight * a;
   }
@@ -65,10 +63,8 @@ TEST_CASE("network_system__a_free_step_keeps_centre_and_bearing_and_solves_the_n
   for (const auto& group : equations.groups) {
     const Eigen::VectorXd weighted = group.weight * group.residual;
     for (size_t i = 0; i < group.members.size(); ++i) {
-      const SparseRow& row = equations.rows[group.members[i]];
-      for (size_t k = 0; k < row.count; ++k)
-        right[row.entries[k].first] +=
-            row.entries[k].second * weighted[static_cast<Eigen::Index>(i)];
+      right += equations.rows[group.members[i]].dense(right.size()) *
+               weighted[static_cast<Eigen::Index>(i)];
     }
   }
   CHECK((normal_of(problem, equations) * dx - right).norm() < 1e-6 * right.norm());

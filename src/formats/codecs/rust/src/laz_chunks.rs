@@ -31,6 +31,10 @@ pub unsafe fn vlr_of(bytes: *const u8, count: u64) -> Result<LazVlr, String> {
     Ok(vlr)
 }
 
+pub fn record_bytes_of(vlr: &LazVlr) -> usize {
+    vlr.items().iter().map(|i| usize::from(i.size())).sum()
+}
+
 fn compressor_of(bytes: &[u8]) -> u16 {
     u16::from_le_bytes([bytes[0], bytes[1]])
 }
@@ -133,7 +137,7 @@ pub unsafe extern "C" fn jc_laz_decode(
     silence_panics();
     guarded(&message, || {
         let vlr = vlr_of(vlr, vlr_bytes)?;
-        let record_bytes: usize = vlr.items().iter().map(|i| usize::from(i.size())).sum();
+        let record_bytes = record_bytes_of(&vlr);
         let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
         let out = std::slice::from_raw_parts_mut(out, out_bytes as usize);
         let cursor = Cursor::new(packed);

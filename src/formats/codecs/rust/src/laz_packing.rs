@@ -3,7 +3,7 @@
 
 //! LAZ written: the record of the compressor, one chunk from memory to memory, the table of chunks.
 
-use crate::laz_chunks::vlr_of;
+use crate::laz_chunks::{record_bytes_of, vlr_of};
 use crate::{guarded, silence_panics, Message};
 use laz::laszip::{ChunkTable, ChunkTableEntry};
 use laz::record::{
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn jc_laz_encode(
     silence_panics();
     guarded(&message, || {
         let vlr = vlr_of(vlr, vlr_bytes)?;
-        let record_bytes: usize = vlr.items().iter().map(|i| usize::from(i.size())).sum();
+        let record_bytes = record_bytes_of(&vlr);
         let records = std::slice::from_raw_parts(records, records_bytes as usize);
         let packed = if vlr.items()[0].version() >= 3 {
             pack(LayeredPointRecordCompressor::new(Vec::new()), &vlr, record_bytes, records)?
