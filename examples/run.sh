@@ -26,7 +26,7 @@ show_build() {
     { print }
     END { if (seen && terminal) print "" }'
 }
-echo "building: the first time takes about $((10 / $(nproc) + 1)) minutes on the $(nproc) processors of this machine"
+echo "building: the first time takes about $((16 / $(nproc) + 1)) minutes on the $(nproc) processors of this machine"
 show_build
 
 out=$root/out
