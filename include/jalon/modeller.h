@@ -27,6 +27,13 @@ typedef struct jalon_modeller jalon_modeller;
  *   With "solids" the walls are closed solids of "thickness_m", by default the median depth of the facade's openings.
  * - "extrusion": the walls alone, extruded inward by that thickness, with the reveals of their openings (4.4.2).
  *   JALON_ERROR_INSUFFICIENT_DATA when no opening tells the depth and thickness_m is 0.
+ * - "coded_objects": what the codes of a segmentation by "survey_codes" or "target_codes" describe, as measured; names
+ *   end with the code: "window 122 (361)". Buildings are closed prisms from their low point to their highest corner
+ *   (parts wall, top and foot); windows and doors cut holes with reveals into the wall that they stand in, up to 1 m
+ *   behind it, with a face at the frame; one that no wall holds is a face by itself. Gutters are pipes within
+ *   "chord_m" of the round. Of targets: walls and doors as the rectangles of their points, windows of a facade one each
+ *   where gaps of "gap_m" part them, gutters as circles fitted in plan. JALON_ERROR_INSUFFICIENT_DATA for segments of
+ *   other methods.
  *
  * Method "facade" names parts by position, size, depth and orientation:
  * - facade: upright parallel walls near each other; the largest comes first. wall: an upright plane of min_wall_area_m2

@@ -40,7 +40,8 @@ jalon_report_write_elevation(const jalon_segmentation* segmentation, const jalon
  * Picture of the labelled points, without a model: each segment in its colour (those that meet in different ones),
  * noise grey where no segment lies, seen from the front in the facade frame or from above. A path that ends in ".png"
  * gives the points alone; any other an SVG figure with axes in metres, scale bar, segment numbers and legend around
- * them. Below 2 MB for any number of points. Operation "picture".
+ * them. Below 2 MB for any number of points. Operation "picture". As SVG the plan of a segmentation by codes shows the
+ * points in the colours of their classes, the coded objects, and the surveyed points with their codes.
  */
 JALON_API JALON_CHECK jalon_status
 jalon_report_write_picture(const jalon_segmentation* segmentation, const char* path,
@@ -52,7 +53,8 @@ jalon_report_write_picture(const jalon_segmentation* segmentation, const char* p
  * opening with width, height and depth and their standard deviations (propagated from the
  * covariances of corners and planes), and the tree of parts with what they are known from; the
  * precision of each plane (sigma of a point, of the normal, of the place). Everything that comes
- * from outside is escaped.
+ * from outside is escaped. Of a segmentation by codes the page has the plan, the view, warnings, classes and the table
+ * of objects instead.
  *
  * - model: may be NULL: a segmentation alone.
  * - notes_json: NULL, or a JSON object with "title", "input" (text pairs), "scanner" (parameters of

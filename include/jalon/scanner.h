@@ -140,6 +140,10 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scan
  *   with what stands in its windows, rooms behind the glass, and trees, cars and people in front.
  *   It brings its own scanner (jalon_scene_scanner) and tells its walls and openings
  *   (jalon_scene_write_truth).
+ * - yard: four low buildings of corrugated sheet about a yard, after the survey of a master's thesis on feature codes
+ *   (University of Liege 2021): doors, windows with panes, blinds and sills, two of them half open, gutters, eaves,
+ *   bushes, coded targets; for scanner "sample", with "glass_return_min" and "densities". It brings the code lists
+ *   of targets and of a total-station survey (jalon_scene_write_truth).
  *
  * options may be NULL for the defaults. The model carries the true planes as faces with their
  * openings in a tree of parts with classes (wall, post, band, mullion, glass, curtain, sill,
@@ -196,7 +200,7 @@ JALON_API JALON_CHECK jalon_status jalon_scene_scanner(const jalon_params* optio
  * - scanner: the one of the scan, of method "static"; NULL or one without stations stands for the
  *   scene's own.
  * - options: those the model was made with; NULL stands for "grammar" with its defaults.
- *   JALON_ERROR_UNSUPPORTED for other scenes.
+ *   Scene "yard" has another shape, below. JALON_ERROR_UNSUPPORTED for other scenes.
  *
  * An object with "shape" ("jalon facade truth 1"), "scene", "kind", "seed", "walls" and "openings".
  * A contour is a list of corners [u, v, sagitta]: metres along the wall and up; the sagitta of the
@@ -227,6 +231,10 @@ JALON_API JALON_CHECK jalon_status jalon_scene_scanner(const jalon_params* optio
  *     area_seen_share     of its area: beams reach the wall's plane there or go through
  *     spacing_m           of all stations' points on the wall's plane there; 0: none sees it
  *     width_spacings      the lesser of width and height in these spacings
+ *
+ * Of the scene "yard" an object with "shape" ("jalon coded truth 1"), "scene", "seed", "classes" (numbers and names),
+ * "survey" and "targets" (lines ID;X;Y;Z;code in the world's coordinates), and "face_classes": the class of each face
+ * id, from 1 on; faces with larger ids are of class 0.
  */
 JALON_API JALON_CHECK jalon_status jalon_scene_write_truth(const char* path,
                                                            const jalon_scanner* scanner,

@@ -90,14 +90,17 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   the place of one that the cloud had: 0 rest, 1 walls, 2 doors, 3 windows, 4 gutters, or with
  *   "classes" = asprs those of LAS. Unknown codes, incomplete and empty objects, points far from
  *   the cloud are warnings of the log and the notes, no errors; a line that cannot be read is
- *   JALON_ERROR_FORMAT. Buildings have no plane (NaN), gutters the cylinder that was measured.
- *   O(points) for the usual few objects about a point.
+ *   JALON_ERROR_FORMAT. Buildings have no plane (NaN), gutters the cylinder that was measured; a
+ *   gutter whose points lie about another place is warned of. With "form" = improved the fronts of
+ *   doors and windows and the circles of gutters are found in the cloud, and what lies before a
+ *   front is the reveal of its wall. O(points) for the usual few objects about a point.
  * - "target_codes": the objects about coded targets of the same thesis, parameters "codes", "table"
  *   and "classes" alike: walls by planes drawn through one target each, cut above the first gap in
  *   height and in columns lower than a wall; doors as the plane at their target within 2 m; all
  *   windows of a facade in the plane of two targets, which follow one another in the list; gutters
  *   grown from their target. Each takes its points from those that follow, so a door that is flush
- *   with its wall is lost to it, and told. Planes like those of the other methods; gutters none.
+ *   with its wall is lost to it, and told. With "form" = improved doors and windows are what lies at
+ *   the front of their frames and leaves. Planes like those of the other methods; gutters none.
  *   Seeded. O(points x (walls x draws + doors + facades)).
  */
 JALON_API JALON_CHECK jalon_status jalon_segmenter_create(const char* method,
@@ -202,14 +205,17 @@ jalon_segmentation_parameters(const jalon_segmentation* segmentation, const char
  *     {"method": "survey_codes",
  *      "classes": [{"class": 1, "points": 9000}],
  *      "objects": [{"name": "door 12", "kind": "door", "code": 350, "class": 2, "label": 3,
- *                   "points": 800, "lines": [6, 7], "ids": ["12", "13"], "hinge": "left",
+ *                   "points": 800, "lines": [6, 7], "ids": ["12", "13"],
+ *                   "codes": ["350", "350"], "places": [[x, y, z], [x, y, z]],
+ *                   "geometry": "two_corners", "hinge": "left",
  *                   "shape": "rectangle", "corners": [[x, y, z], [x, y, z]],
  *                   "low_m": z, "high_m": z}],
  *      "warnings": [{"line": 20, "object": "gutter 21", "text": "has 2 of 3 points: left out"}]}
  *
  * Objects come in the order of their first lines, object i + 1 being the source_label of its
- * segment; label is that of its points, 0 where it holds none. shape: none, prism (outline, low_m,
- * high_m), rectangle and outline (corners, low_m, high_m), cylinder (axis, radius_m); lengths in
+ * segment; label is that of its points, 0 where it holds none; lines, ids, codes and places are those
+ * of its surveyed points. shape: none, prism (outline in plan, low_m, high_m), rectangle (corners,
+ * low_m, high_m), outline (the same and outline in space), cylinder (axis, radius_m); lengths in
  * metres, places in the cloud's system, as measured, without the margins. hinge: left or right,
  * seen from outside, or unknown. classes are as written to the cloud, those of objects as in the
  * code table.

@@ -12,6 +12,7 @@
 #include "scan/mobile/drive_scenario.h"
 #include "scan/mobile/street_drive.h"
 #include "scan/scene.h"
+#include "scan/yard/yard.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -63,8 +64,11 @@ jalon_status jalon_scene_write_truth(const char* path, const jalon_scanner* scan
         options == nullptr ? SceneSettings{.name = SceneName::kGrammar} : scene_settings(options);
     const SceneSurvey survey = scanner == nullptr ? SceneSurvey{} : survey_of(*scanner);
     const std::string target = require_text(path, "path");
-    with_task(task,
-              [&](Task& t) { write_whole(target, json_of(facade_truth(settings, survey, t))); });
+    with_task(task, [&](Task& t) {
+      write_whole(target, settings.name == SceneName::kYard
+                              ? json_of(yard_truth(settings), settings)
+                              : json_of(facade_truth(settings, survey, t)));
+    });
   });
 }
 

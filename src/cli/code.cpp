@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "cli/model_files.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/outputs/json_csv.h"
-#include "cli/table.h"
 #include "cli/text_file.h"
 
 namespace jalon::cli {
@@ -15,9 +15,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr const char* kModelFiles[] = {"model.dxf", "model.city.json", "model.geojson"};
+
 constexpr size_t kMostListed = 20;  // objects on the screen; all of them stand in objects.csv
 
-std::string joined(const Json& list) {
+std::string words(const Json& list) {
   std::string out;
   for (const Json& each : list)
     out += (out.empty() ? "" : " ") + (each.is_string() ? each.get<std::string>() : each.dump());
@@ -25,9 +27,10 @@ std::string joined(const Json& list) {
 }
 
 /// A row an object; the two places are the corners of an opening or the ends of an axis.
-std::string objects_csv(const Json& objects) {
+std::string coded_objects_csv(const Json& objects) {
   std::string out =
-      "object,name,kind,code,class,label,points,shape,hinge,radius_m,x1,y1,z1,x2,y2,z2,ids,lines\n";
+      "object,name,kind,code,class,label,points,shape,hinge,radius_m,x1,y1,z1,x2,y2,z2,ids,lines,"
+      "codes\n";
   size_t number = 0;
   for (const Json& o : objects) {
     const auto text = [&](const char* name) {
@@ -43,16 +46,43 @@ std::string objects_csv(const Json& objects) {
       for (size_t k = 0; k < 3; ++k)
         out += "," +
                (o.contains(places) ? (last ? o[places].back() : o[places].front())[k].dump() : "");
-    out += "," + csv_cell(joined(o["ids"])) + "," + joined(o["lines"]) + "\n";
+    out +=
+        "," + csv_cell(words(o["ids"])) + "," + words(o["lines"]) + "," + words(o["codes"]) + "\n";
   }
   return out;
 }
 
-std::string warnings_csv(const Json& warnings) {
+std::string code_warnings_csv(const Json& warnings) {
   std::string out = "line,object,warning\n";
   for (const Json& w : warnings)
     out += w["line"].dump() + "," + csv_cell(w["object"]) + "," + csv_cell(w["text"]) + "\n";
   return out;
+}
+
+/// Classes and the first objects.
+void list_coded(const Console& console, const Json& notes) {
+  for (const Json& c : notes["classes"])
+    console.say("class " + c["class"].dump() + ": " + grouped(c["points"]) + " points");
+  size_t listed = 0;
+  for (const Json& o : notes["objects"]) {
+    if (++listed > kMostListed) break;
+    console.say(o["name"].get<std::string>() + ": " + o["shape"].get<std::string>() + ", " +
+                grouped(o["points"]) + " points");
+  }
+  if (notes["objects"].size() > kMostListed)
+    console.say("... " + grouped(notes["objects"].size()) + " objects in objects.csv");
+}
+
+/// "step walls: 1.5 s" of the log as {"walls": 1.5}; other lines are none.
+void add_step_times(const std::vector<std::string>& told, Json& times_s) {
+  constexpr const char* kStep = "step ";
+  for (const std::string& line : told) {
+    const size_t colon = line.rfind(": "), end = line.rfind(" s");
+    if (!line.starts_with(kStep) || colon == std::string::npos || end <= colon) continue;
+    const Json seconds =
+        Json::parse(line.substr(colon + 2, end - colon - 2), nullptr, /*allow_exceptions=*/false);
+    if (seconds.is_number()) times_s[line.substr(5, colon - 5)] = seconds;
+  }
 }
 
 const char* method_name(const std::string& method) {
@@ -71,7 +101,8 @@ std::string parameters_of(const char* method) {
 struct Code {
   Common common;
   Input input;
-  Settings settings;
+  Settings settings, model_settings;
+  ViewerOption viewer;
   std::string codes, table, output, method;
 
   Segmenter segmenter(Params& params) const {
@@ -85,30 +116,40 @@ struct Code {
     return made;
   }
 
-  static void list(const Console& console, const Json& notes) {
-    for (const Json& c : notes["classes"])
-      console.say("class " + c["class"].dump() + ": " + grouped(c["points"]) + " points");
-    size_t listed = 0;
-    for (const Json& o : notes["objects"]) {
-      if (++listed > kMostListed) break;
-      console.say(o["name"].get<std::string>() + ": " + o["shape"].get<std::string>() + ", " +
-                  grouped(o["points"]) + " points");
-    }
-    if (notes["objects"].size() > kMostListed)
-      console.say("... " + grouped(notes["objects"].size()) + " objects in objects.csv");
+  Modeller modeller() const {
+    Params params;
+    Modeller made = make_modeller("coded_objects", params);
+    model_settings.apply(params.get());
+    return made;
   }
 
-  void write(const Console& console, const Segmentation& segmentation, const Json& result) const {
+  std::vector<std::string> write(const Console& console, const Segmentation& segmentation,
+                                 const Model& model, const Json& result, const Json& notes) const {
     OutputFolder folder(output);
+    const auto path = [&](const char* name) { return folder.path(name); };
     Cloud classified;
     must(jalon_segmentation_cloud(segmentation.get(), Out(classified)));
-    must(jalon_cloud_write(classified.get(), folder.path("classified.las").c_str(), nullptr,
+    must(jalon_cloud_write(classified.get(), path("classified.las").c_str(), nullptr,
                            console.task()));
-    write_text_file(folder.path("objects.csv"), objects_csv(result["objects"]));
-    write_text_file(folder.path("warnings.csv"), warnings_csv(result["warnings"]));
-    write_text_file(folder.path("codes.json"),
+    for (const char* name : kModelFiles)
+      must(jalon_model_write(model.get(), path(name).c_str(), nullptr, console.task()));
+    const Params plan = make_params("picture");
+    must(jalon_params_set_string(plan.get(), "view", "plan"));
+    must(jalon_report_write_picture(segmentation.get(), path("plan.svg").c_str(), plan.get(),
+                                    console.task()));
+    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
+    must(jalon_report_write_html(segmentation.get(), model.get(), text.c_str(),
+                                 path("report.html").c_str(), viewer.params("report").get(),
+                                 console.task()));
+    write_text_file(path("objects.csv"), coded_objects_csv(result["objects"]));
+    write_text_file(path("warnings.csv"), code_warnings_csv(result["warnings"]));
+    write_text_file(path("codes.json"),
                     result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     folder.commit();
+    std::vector<std::string> names{"report.html", "plan.svg"};
+    names.insert(names.end(), std::begin(kModelFiles), std::end(kModelFiles));
+    names.insert(names.end(), {"classified.las", "objects.csv", "warnings.csv", "codes.json"});
+    return names;
   }
 
   void run() const {
@@ -116,6 +157,7 @@ struct Code {
     check_output_folder(output);
     Params params;
     const Segmenter worker = segmenter(params);  // wrong parameters are told before a long read
+    const Modeller model_of = modeller();
     Json times = Json::object();
     console.step("reading");
     const Cloud cloud = input.read(console);
@@ -124,18 +166,31 @@ struct Code {
     Segmentation segmentation;
     must(jalon_segmenter_run(worker.get(), cloud.get(), console.task(), Out(segmentation)));
     times["segment"] = console.seconds();
+    Json steps{{"read", times["read"]}};  // of the page: the steps in the place of their sum
+    add_step_times(console.told(), steps);
     const char* text = nullptr;
     must(jalon_segmentation_notes(segmentation.get(), &text));
     const Json notes = Json::parse(text);
     if (notes["objects"].empty())
       throw Failure{JALON_ERROR_INSUFFICIENT_DATA, codes + ": no object in these codes"};
+    console.step("model");
+    Model model;
+    must(jalon_modeller_run(model_of.get(), cloud.get(), segmentation.get(), console.task(),
+                            Out(model)));
+    times["model"] = steps["model"] = console.seconds();
+    const Json summary = summary_of(model.get());
     Json result{{"input", input.path}, {"codes", codes},   {"points", count_of(cloud)},
-                {"output", output},    {"times_s", times}, {"steps", console.told()}};
+                {"output", output},    {"times_s", times}, {"steps", console.told()},
+                {"model", summary}};
     result.update(notes);
     console.step("writing");
-    write(console, segmentation, result);
-    list(console, notes);
-    console.say("wrote " + output + ": classified.las, objects.csv, warnings.csv, codes.json");
+    const auto names = write(console, segmentation, model, result,
+                             {{"title", "Feature codes"},
+                              {"input", {{"scan", input.path}, {"codes", codes}}},
+                              {"times", steps}});
+    list_coded(console, notes);
+    console.say(summary_line(summary));
+    console.say("wrote " + output + ": " + joined(names));
     console.result(result);
   }
 };
@@ -161,11 +216,18 @@ void add_code(Command& app) {
   command.option("--table", state->table, "Code table (JSON) in the place of the method's own")
       .type_name("FILE");
   state->settings.add_to(command);
+  state->model_settings.add_to(command, "model-");
+  state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
+    Params objects;
+    make_modeller("coded_objects", objects);
     return parameters_of("survey") + parameters_of("targets") +
+           "Parameters of --model-set (coded objects):\n" + describe(objects.get()) + "\n" +
            R"(classified.las has the class of every point, in the scan's order: 0 rest, 1 walls, 2 doors, 3 windows,
-4 gutters, or those of the code table. Unknown codes, incomplete or empty objects and points far
+4 gutters, or those of the code table. model.* has the objects with their codes: buildings as
+prisms with their openings, gutters as pipes; report.html and plan.svg show them over the points in
+the colours of their classes. Unknown codes, incomplete or empty objects and points far
 from the scan are warnings that name line and object.
 
 Examples:

@@ -7,6 +7,7 @@
 #include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
+#include "cli/text_file.h"
 
 namespace jalon::cli {
 
@@ -16,7 +17,30 @@ namespace {
 constexpr const char* kSceneCrs = "LOCAL_CS[\"scene, metres\",UNIT[\"metre\",1]]";
 
 constexpr const char* kOwnTruth =
-    "grammar";  // brings its scanner, and tells its walls and openings
+    "grammar";                               // brings its scanner, and tells its walls and openings
+constexpr const char* kCodedTruth = "yard";  // brings the code lists of a survey
+
+using Json = nlohmann::ordered_json;
+
+// Every point has the class of its face: the field "classification".
+void classify(jalon_cloud* cloud, const Json& truth) {
+  const auto classes = truth["face_classes"].get<std::vector<uint8_t>>();
+  Fields fields;
+  must(jalon_cloud_fields(cloud, Out(fields)));
+  uint64_t count = 0;
+  const auto* face = values<uint32_t>(fields, "face", &count);
+  std::vector<uint8_t> of_point(count, 0);
+  for (uint64_t i = 0; i < count; ++i)
+    if (face[i] >= 1 && face[i] <= classes.size()) of_point[i] = classes[face[i] - 1];
+  must(jalon_cloud_set_field(cloud, "classification", of_point.data(), JALON_UINT8, 1, count, 0, "",
+                             "class of the point's true object"));
+}
+
+std::string lines_of(const Json& list) {
+  std::string text;
+  for (const Json& line : list) text += line.get<std::string>() + "\n";
+  return text;
+}
 
 struct Scan {
   Common common;
@@ -36,7 +60,8 @@ struct Scan {
   Params scene_options() const {
     Params options = make_params("scene");
     must(jalon_params_set_string(options.get(), "name", scene.c_str()));
-    if (scene == kOwnTruth) {  // one seed for all, unless the scene's is told
+    if (scene == kOwnTruth ||
+        scene == kCodedTruth) {  // one seed for all, unless the scene's is told
       Scanner scanner;
       Params params;
       int64_t seed = 0;
@@ -73,10 +98,25 @@ struct Scan {
     return scanner;
   }
 
+  std::string beside(const char* extension) const {
+    return std::filesystem::path(output).replace_extension(extension).string();
+  }
+
   /// Beside the cloud: NAME.truth.json. Of random points on all faces nothing is said to be seen or hidden.
   std::string truth_output() const {
-    if (scene != kOwnTruth || method != "static") return "";
-    return std::filesystem::path(output).replace_extension(".truth.json").string();
+    if (scene == kCodedTruth) return beside(".truth.json");
+    return scene == kOwnTruth && method == "static" ? beside(".truth.json") : "";
+  }
+
+  /// The truth of the coded scene, its lists NAME.survey.txt and NAME.targets.txt, and classes for the points.
+  void write_codes(const Console& console, const Params& options, const Cloud& cloud,
+                   const std::string& truth_path) const {
+    must(jalon_scene_write_truth(truth_path.c_str(), nullptr, options.get(), console.task()));
+    const Json truth = Json::parse(read_text_file(truth_path));
+    write_text_file(beside(".survey.txt"), lines_of(truth["survey"]));
+    write_text_file(beside(".targets.txt"), lines_of(truth["targets"]));
+    classify(cloud.get(), truth);
+    console.say("codes -> " + beside(".survey.txt") + ", " + beside(".targets.txt"));
   }
 
   // A drive has a scene of its own: the street that it goes along.
@@ -117,15 +157,16 @@ struct Scan {
     values<uint32_t>(truth, "segment", &true_planes);
     const double seconds = console.seconds();
     console.step("writing");
+    if (scene == kCodedTruth) write_codes(console, options, cloud, truth_path);
     must(jalon_cloud_write(cloud.get(), output.c_str(), nullptr, console.task()));
     if (!model_output.empty())
       must(jalon_model_write(model.get(), model_output.c_str(), nullptr, console.task()));
-    if (!truth_path.empty())
+    if (!truth_path.empty() && scene == kOwnTruth)
       must(jalon_scene_write_truth(truth_path.c_str(), scanner.get(), options.get(),
                                    console.task()));
     console.say(grouped(count_of(cloud)) + " points of scene \"" + scene + "\" in " +
                 fixed(seconds, 2) + " s -> " + output);
-    if (!truth_path.empty()) console.say("walls and openings -> " + truth_path);
+    if (!truth_path.empty()) console.say("truth -> " + truth_path);
     nlohmann::ordered_json result{{"scene", scene},
                                   {"output", output},
                                   {"points", count_of(cloud)},
@@ -187,6 +228,9 @@ void add_scan(Command& app) {
            "--set glass_return_max=0.3 -o insa.las\n"
            "          jalon scan --scene grammar --set seed=7 -o street.las    (and "
            "street.truth.json)\n"
+           "          jalon scan --scene yard --method sample --set spacing_m=0.02 --set "
+           "densities=gutter=4 --set glass_return_min=0.05 --set glass_return_max=0.05 -o yard.las"
+           "    (and yard.survey.txt, yard.targets.txt)\n"
            "          jalon scan --method mobile -o drive.ply --model street.obj --trajectory "
            "drive.txt --scene-set sigma_position_m=1\n"
            "          jalon scan --scene patches --method sample --set points=60000 -o patches.las";

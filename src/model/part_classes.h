@@ -38,6 +38,7 @@ inline constexpr char kPost[] = "post";
 inline constexpr char kGround[] = "ground";
 inline constexpr char kRoof[] = "roof";
 inline constexpr char kElement[] = "element";  ///< any other plane
+inline constexpr char kGutter[] = "gutter";    ///< a downpipe of its building
 /// Nothing was measured there, whether the wall is drawn by its contour or by its evidence: its face fills a hole or a
 /// notch of the wall's. Without a face: the wall is filled there, because the user asked for it.
 inline constexpr char kNoData[] = "no_data";

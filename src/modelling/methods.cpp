@@ -3,6 +3,7 @@
 #include "modelling/methods.h"
 
 #include "base/names_of.h"
+#include "modelling/codes/coded_model.h"
 #include "modelling/facade/facade.h"
 #include "modelling/outlines.h"
 
@@ -19,6 +20,8 @@ constexpr ModellingMethod kMethods[] = {
     {"outlines", "modeller outlines", outlines_rows, run<VectoriseSetting, model_outlines>},
     {"facade", "modeller facade", facade_rows, run<FacadeSettings, model_facade>},
     {"extrusion", "modeller extrusion", extrusion_rows, run<ExtrusionSettings, model_extrusion>},
+    {"coded_objects", "modeller coded_objects", coded_model_rows,
+     run<CodedModelSettings, model_coded_objects>},
 };
 
 }  // namespace

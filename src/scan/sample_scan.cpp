@@ -8,6 +8,7 @@
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/setting_rows.h"
+#include "scan/densities.h"
 #include "scan/scan_output.h"
 #include "scan/scanner.h"
 #include "scan/surfaces.h"
@@ -42,12 +43,13 @@ Triangles measure(const Model& model) {
 }
 
 /// The share of all points that each triangle gets: by its area, or by its part of its face's; glass gets less.
-void weigh(Triangles& triangles, const Surfaces& surfaces, bool equal_counts) {
+void weigh(Triangles& triangles, const Surfaces& surfaces, const std::vector<double>& densities,
+           bool equal_counts) {
   std::unordered_map<uint32_t, double> area_of_face;
   const auto n = static_cast<uint32_t>(triangles.areas.size());
   for (uint32_t t = 0; t < n; ++t) area_of_face[surfaces.face(t)] += triangles.areas[t];
   for (uint32_t t = 0; t < n; ++t) {
-    const double returned = triangles.areas[t] * surfaces.returned(t),
+    const double returned = triangles.areas[t] * surfaces.returned(t) * densities[t],
                  face = area_of_face[surfaces.face(t)];
     triangles.area += returned;
     triangles.weight += equal_counts ? (face > 0 ? returned / face : 0) : returned;
@@ -112,6 +114,9 @@ std::span<const ParamRow> sample_scanner_rows() {
           "mean spacing: one point a square of this side, unless the number of points is given"),
       bool_row<&S::equal_counts>("equal_counts", "",
                                  "every face gets the same number of points, whatever its area"),
+      string_row<&S::densities>("densities", "",
+                                "factors of the density on parts of some classes, as "
+                                "\"gutter=4,ground=0.25\"; 1 on all others"),
       number_row<&S::noise_m>("noise_m", 0, 100, "m", "",
                               "standard deviation along the face's normal"),
       number_row<&S::point_noise_m>("point_noise_m", 0, 100, "m", "",
@@ -139,7 +144,7 @@ Cloud scan_sample(const Model& model, std::span<const ScanStation> stations,
   validate(model);
   Triangles triangles = measure(model);
   const Surfaces surfaces(model, settings.surfaces, settings.seed, task);
-  weigh(triangles, surfaces, settings.equal_counts);
+  weigh(triangles, surfaces, triangle_densities(model, settings.densities), settings.equal_counts);
   const size_t n = triangles.weight > 0 ? point_count(settings, triangles.area) : 0;
   ScanOutput out(n);
   parallel_for(task, n, kPointGrain, [&](size_t begin, size_t end) {

@@ -44,6 +44,7 @@ struct SampleSettings {
   double coordinate_step_m = 0;
   std::vector<double> offset_m{0, 0, 0};
   uint64_t seed = 1;
+  std::string densities = {};  ///< as triangle_densities() has it
 };
 std::span<const ParamRow> sample_scanner_rows();
 Cloud scan_sample(const Model& model, std::span<const ScanStation> stations,

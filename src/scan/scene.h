@@ -10,6 +10,7 @@
 #include "base/task.h"
 #include "model/model.h"
 #include "scan/grammar_settings.h"
+#include "scan/yard_settings.h"
 
 namespace jalon {
 
@@ -33,7 +34,8 @@ enum class SceneName {
   kResidence,
   kEarthworks,
   kGrammar,
-  kBow
+  kBow,
+  kYard
 };
 
 /// Of the operation "scene"; the table of the rows says what each member means.
@@ -51,6 +53,7 @@ struct SceneSettings {
   bool crossing = false;
   uint64_t seed = 1;
   GrammarSettings grammar{};
+  YardSettings yard{};
 };
 std::span<const ParamRow> scene_rows();
 Model build_scene(const SceneSettings& settings, Task& task);

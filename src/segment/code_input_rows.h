@@ -21,7 +21,11 @@ constexpr auto code_input_rows(const char* method) {
       choice_row<&CodeInput::classes>(
           "classes", "table|asprs", method,
           "Numbers of the field \"classification\": those of the code table, or ASPRS: 1 rest, 6 "
-          "walls, 64 doors, 65 windows, 66 gutters."));
+          "walls, 64 doors, 65 windows, 66 gutters."),
+      choice_row<&CodeInput::form>(
+          "form", "source|improved", method,
+          "source: the thesis' steps; improved: the fronts of frames and leaves and the places of "
+          "gutters are found in the cloud, and reveals are their walls'."));
 }
 
 }  // namespace jalon

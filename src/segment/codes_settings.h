@@ -10,11 +10,15 @@ namespace jalon {
 /// The numbers that the field "classification" holds.
 enum class ClassScheme { kTable, kAsprs };
 
+/// As the codes' source has it, or with what Jalon knows better.
+enum class CodeForm { kSource, kImproved };
+
 /// What every method by codes is given.
 struct CodeInput {
   std::string codes;  ///< the list as text
   std::string table;  ///< JSON; "" = the method's ready-made one
   ClassScheme classes = ClassScheme::kTable;
+  CodeForm form = CodeForm::kSource;
 };
 
 /// The parameters of method "survey_codes"; the rows stand in survey_codes_params.cpp.

@@ -6,6 +6,7 @@
 #include "segment/codes/grouping.h"
 #include "segment/codes/shapes.h"
 #include "segment/codes/step_clock.h"
+#include "segment/codes/survey_refinement.h"
 #include "segment/codes/survey_space.h"
 #include "segment/codes_methods.h"
 #include "segment/settle/ending.h"
@@ -29,7 +30,8 @@ std::vector<uint32_t> objects_of_points(const Cloud& cloud, const SurveySpace& s
 
 // The survey method of feature codes (master's thesis, University of Liege 2021, 6.2):
 // 1. read the table and the list; 2. join points to objects; 3. give them their shapes; 4. cut the cloud by the shapes:
-// pipes, hollowed buildings, openings within them; 5. segments, classes and notes. What the text's script does
+// pipes, hollowed buildings, openings within them, and form "improved" moves openings and pipes to where their points
+// are; 5. segments, classes and notes. What the text's script does
 // otherwise than its author meant is done as meant: distances have no sign, all objects that are absent are no error.
 Segmentation segment_by_survey_codes(const CloudPtr& cloud, const SurveyCodeSettings& settings,
                                      Task& task) {
@@ -45,6 +47,11 @@ Segmentation segment_by_survey_codes(const CloudPtr& cloud, const SurveyCodeSett
     return objects_of_points(*cloud, SurveySpace(table, objects, settings), objects.origin, task);
   }();
   clock.done("points cut");
+  if (settings.input.form == CodeForm::kImproved) {
+    refine_survey(*cloud, table, objects, settings, object_of_point, task);
+    clock.done("refined");
+  }
+  warn_of_shifted_pipes(*cloud, objects, task);
   ProgressSpan span(task, 0.5, 1, "segments");
   warn_of_empty(*cloud, object_of_point, objects, task);
   Segmentation out = coded_segmentation(cloud, std::move(object_of_point), objects, settings.input,

@@ -12,9 +12,9 @@ struct SeedRange {
   uint64_t first = 1, last = 1;
 };
 
-/// "7-12" or "7" of the environment variable JALON_GRAMMAR_SEEDS.
-inline std::optional<SeedRange> seeds_asked_for() {
-  const char* text = std::getenv("JALON_GRAMMAR_SEEDS");
+/// "7-12" or "7" of an environment variable.
+inline std::optional<SeedRange> seeds_asked_for(const char* variable = "JALON_GRAMMAR_SEEDS") {
+  const char* text = std::getenv(variable);
   if (text == nullptr) return {};
   char* end = nullptr;
   const uint64_t first = std::strtoull(text, &end, 10);

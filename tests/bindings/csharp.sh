@@ -127,6 +127,8 @@ check "example 04_register prints what C prints" same 04_register "$work/facade.
 check "example 05_changes prints what C prints" same 05_changes "$work/day1.las" "$work/day3.las"
 check "example 05_changes has something to compare" grep -q '^region 2' "$work/cs.txt"
 check "example 06_joint prints what C prints" same 06_joint "$work/street.obj" "$work/drive.ply" "$work/drive.txt" "$work/adjusted.txt"
+printf '1;0;0;10;300.2\n2;22;0;10;300.4\n3;22;8;10;300.4\n4;0;8;10;300.4\n5;0;0;0;300.4\n6;0.971;0.2;4.18;360\n7;2.171;0.2;5.827;360\n8;10.4;0;7.347;361\n9;10.4;0.15;7.347;361.8\n10;11.6;0;8.994;361\n' >"$work/codes.txt"
+check "example 07_feature_codes prints what C prints" same 07_feature_codes "$work/facade.las" "$work/codes.txt" "$work/classified.las" "$work/objects.dxf"
 
 # The page: its programs compile and run, its commands do what they say.
 page=$work/page

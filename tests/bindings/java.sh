@@ -90,6 +90,8 @@ twin 03_model FacadeModel "$work/sample.las" "$work/model.dxf"
 twin 04_register Register "$work/sample.las" "$work/second.las" "$work/registered.las"
 twin 05_changes Changes "$work/day1.las" "$work/day3.las"
 twin 06_joint Joint "$work/street.obj" "$work/drive.ply" "$work/drive.txt" "$work/adjusted.txt"
+printf '1;0;0;10;300.2\n2;22;0;10;300.4\n3;22;8;10;300.4\n4;0;8;10;300.4\n5;0;0;0;300.4\n6;0.971;0.2;4.18;360\n7;2.171;0.2;5.827;360\n8;10.4;0;7.347;361\n9;10.4;0.15;7.347;361.8\n10;11.6;0;8.994;361\n' >"$work/codes.txt"
+twin 07_feature_codes FeatureCodes "$work/sample.las" "$work/codes.txt" "$work/classified.las" "$work/objects.dxf"
 
 # ---- the page: its programs compile and run, its commands do what they say ----
 page=$work/page

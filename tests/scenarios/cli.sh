@@ -134,7 +134,15 @@ check "code classifies the points of coded objects" bash -c "'$jalon' code sampl
 import json, sys
 d = json.load(sys.stdin)
 assert d[\"objects\"][0][\"points\"] > 100 and d[\"warnings\"][0][\"line\"] == 3 and len(d[\"steps\"]) == 3, d'"
-for file in classified.las objects.csv warnings.csv codes.json; do check "code made $file" test -s coded/$file; done
+for file in classified.las objects.csv warnings.csv codes.json model.dxf model.city.json model.geojson plan.svg report.html; do check "code made $file" test -s coded/$file; done
+check "code writes objects with their codes for CAD and GIS" bash -c "grep -q 'part=window 1 (360)' coded/model.dxf && grep -q 'window 1 (360)' coded/model.geojson && grep -q 'window 1 (360)' coded/model.city.json"
+check "rsvg draws the plan of codes" rsvg-convert coded/plan.svg -o plan.png
+check "scan of the yard brings its code lists and classes" bash -c "'$jalon' scan --scene yard --method sample --set spacing_m=0.2 --set densities=target=64 -o yard.las --quiet && grep -q ';300.2$' yard.survey.txt && grep -q ';3$' yard.targets.txt && test -s yard.truth.json"
+for method in survey targets; do
+  check "the yard is coded by its $method" bash -c "'$jalon' code yard.las yard.$method.txt -o yard_$method --method $method --quiet && '$jalon' evaluate-segmentation yard_$method/classified.las yard.las --classes-only --class-field classification --reference-class-field classification --json --quiet | python3 -c '
+import json, sys
+print(json.load(sys.stdin))'"
+done
 refuses "code without a list of codes" 3 'none.txt' "$jalon" code sample.las none.txt -o no --method targets
 refuses "code with a table that is none" 2 'no JSON' "$jalon" code sample.las codes.txt -o no --method survey --table coded/objects.csv
 for epoch in 1 2; do check "scan of the street, epoch $epoch" "$jalon" scan --scene street --scene-set epoch=$epoch --method sample --set points=100000 --set seed=$epoch -o street$epoch.ply --quiet; done

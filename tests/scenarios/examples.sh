@@ -39,5 +39,10 @@ check "05_changes says nothing then" test ! -s "$work/seen"
 check "06_joint adjusts a drive and a street" "$build/examples/example_06_joint" "$work/street.obj" "$work/drive.ply" "$work/drive.txt" "$work/adjusted.txt"
 check "06_joint: each block has its offset and what it is worth" test "$(grep -c '^block .* sigma 0\.' "$work/seen")" -ge 10
 check "06_joint writes the trajectory" test "$(wc -l <"$work/adjusted.txt")" -eq "$(wc -l <"$work/drive.txt")"
+printf '1;0;0;10;300.2\n2;22;0;10;300.4\n3;22;8;10;300.4\n4;0;8;10;300.4\n5;0;0;0;300.4\n6;0.971;0.2;4.18;360\n7;2.171;0.2;5.827;360\n8;10.4;0;7.347;361\n9;10.4;0.15;7.347;361.8\n10;11.6;0;8.994;361\n' >"$work/codes.txt"
+check "07_feature_codes classifies a scan" "$build/examples/example_07_feature_codes" "$work/sample.las" "$work/codes.txt" "$work/classified.las" "$work/objects.dxf"
+check "07_feature_codes: three objects hold points" test "$(grep -c '^object [123]: [1-9]' "$work/seen")" -eq 3
+check "07_feature_codes: windows stand with their codes" bash -c "'$build/examples/example_07_feature_codes' '$work/sample.las' '$work/codes.txt' '$work/classified.las' '$work/objects.dxf' | grep -q '^window: window 8 (361)$'"
+check "07_feature_codes writes a drawing" grep -q LWPOLYLINE "$work/objects.dxf"
 echo "$passed passed, $failed failed, 0 skipped"
 [ $failed -eq 0 ]

@@ -25,7 +25,7 @@ SUBROOMS = {
     "geometry": {"geodesy": []},
     "model": {"relations": [], "trajectory": [], "buildings": []},
     "spatial": {"octree": [], "neighbours": ["octree"], "triangles": [], "voxels": []},
-    "scan": {"mobile": [], "builder": [], "grammar": ["builder"], "scenes": ["grammar"]},
+    "scan": {"mobile": [], "builder": [], "grammar": ["builder"], "yard": ["builder"], "scenes": ["grammar", "yard"]},
     "formats": {
         "files": [], "units": ["files"], "text": ["files"], "codecs": ["files"], "las": ["units", "codecs"], "e57": ["codecs"], "ply": ["text"], "obj": ["text"],
         "stl": ["text"], "ptx": ["text"], "pts": ["text"], "pcd": ["text"], "city": ["units"], "dxf": ["files"], "geojson": ["units"], "glb": ["files"], "drawings": ["files"],
@@ -41,7 +41,7 @@ SUBROOMS = {
         "plane": [], "contour": ["plane"], "edges/find": ["plane"], "edges/adjust": ["edges/find"],
         "edges/join": ["edges/adjust", "contour"], "evidence": ["edges/join"],
         "walls": ["contour", "edges/adjust", "evidence"], "patterns": ["walls"],
-        "facade": ["patterns", "edges/join", "evidence"], "evaluation": ["plane"],
+        "facade": ["patterns", "edges/join", "evidence"], "evaluation": ["plane"], "codes": [],
     },
     "compare": {
         "visibility": [], "overlap": [], "detection": ["visibility"], "distance": ["detection"], "preview": [], "m3c2": [], "matching": [],

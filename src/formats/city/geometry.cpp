@@ -46,9 +46,13 @@ class Arranger {
   }
 
  private:
+  // Gutters are installed on their building.
   void add_buildings() {
     for (uint32_t p = 0; p < model_.parts.size(); ++p) {
-      if (model_.parts[p].part_class != part_class::kBuilding) continue;
+      const std::string& part_class = model_.parts[p].part_class;
+      const bool is_installed =
+          part_class == part_class::kGutter && nearest(model_, p, part_class::kBuilding) != kNoPart;
+      if (part_class != part_class::kBuilding && !is_installed) continue;
       const uint64_t above = model_.parts[p].parent;
       const uint32_t parent =
           above < model_.parts.size()
@@ -58,9 +62,15 @@ class Arranger {
     }
   }
 
+  // The nearest object above.
   Object& object_of(uint32_t part) {
-    Object& object = city_.objects[nearest(model_, part, part_class::kBuilding)];
-    return object;
+    uint64_t at = part;
+    for (size_t steps = 0; at < model_.parts.size() && steps <= model_.parts.size(); ++steps) {
+      const auto found = city_.objects.find(static_cast<uint32_t>(at));
+      if (found != city_.objects.end()) return found->second;
+      at = model_.parts[at].parent;
+    }
+    return city_.objects[kNoPart];
   }
 
   // The first geometry of an object that is no solid takes all loose surfaces.

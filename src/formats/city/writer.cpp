@@ -10,6 +10,7 @@
 #include "formats/files/utf8.h"
 #include "formats/units/crs_code.h"
 #include "model/chords.h"
+#include "model/part_classes.h"
 
 namespace jalon {
 
@@ -136,7 +137,7 @@ class CityFile {
 
   void add_object(uint32_t part, const Object& object, Task& task) {
     json_.name(ids_[part]).begin_object();
-    json_.name("type").value(object.parent == kNoPart ? "Building" : "BuildingPart");
+    json_.name("type").value(object_type(part, object));
     json_.name("attributes").begin_object();
     if (part != kNoPart) add_part(part);
     if (part == city_.objects.begin()->first) add_groups();
@@ -147,6 +148,12 @@ class CityFile {
     json_.name("geometry").begin_array();
     for (const Geometry& geometry : object.geometries) add_geometry(geometry, task);
     json_.end_array().end_object();
+  }
+
+  const char* object_type(uint32_t part, const Object& object) const {
+    if (object.parent == kNoPart) return "Building";
+    const bool is_gutter = model_.parts[part].part_class == part_class::kGutter;
+    return is_gutter ? "BuildingInstallation" : "BuildingPart";
   }
 
   void add_children(uint32_t part) {

@@ -28,6 +28,7 @@ constexpr ClassColour kColours[] = {
     {part_class::kRegion, 1},       {part_class::kAppearance, 3},  {part_class::kDisappearance, 1},
     {part_class::kDisplacement, 5}, {part_class::kDeformation, 6}, {part_class::kGateway, 10},
     {part_class::kShopFront, 130},  {part_class::kVent, 190},      {part_class::kRecess, 54},
+    {part_class::kGutter, 240},
 };
 constexpr int kOtherColour = 7;
 

@@ -11,6 +11,7 @@
 #include "report/elevation/view.h"
 #include "report/names/notes.h"
 #include "report/names/orientation_name.h"
+#include "report/pages/coded_report.h"
 #include "report/pages/facade_view.h"
 #include "report/pages/html_frame.h"
 #include "report/pages/html_model.h"
@@ -197,6 +198,8 @@ std::span<const ParamRow> report_rows() { return kReportRows; }
 
 std::string report_html(const Segmentation& segmentation, const Model& model,
                         std::string_view notes_json, const ReportSettings& settings, Task& task) {
+  if (!segmentation.notes_json.empty())
+    return coded_report_html(segmentation, model, notes_json, settings, task);
   const ProgressSpan span(task, 0, 1, "writing the report");
   const Notes notes = read_notes(notes_json);
   const Residuals residuals =

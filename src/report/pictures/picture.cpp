@@ -7,6 +7,7 @@
 #include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "report/elevation/title_block.h"
+#include "report/pictures/code_plan.h"
 #include "report/pictures/label_colours.h"
 #include "report/pictures/label_numbers.h"
 #include "report/pictures/picture_axes.h"
@@ -125,6 +126,9 @@ std::span<const ParamRow> picture_rows() { return kPictureRows; }
 
 std::string picture_svg(const Segmentation& segmentation, const PictureSettings& settings,
                         Task& task) {
+  if (settings.view == PictureView::kPlan && !segmentation.notes_json.empty())
+    return code_plan_svg(segmentation, read_coded_notes(segmentation.notes_json), settings.title,
+                         task);
   const ProgressSpan span(task, 0, 1, "drawing the segments");
   Picture picture{
       segmentation, rasterise_labels(segmentation, settings.view, task), {}, settings.view, {}};

@@ -6,6 +6,7 @@
 #include "base/setting_rows.h"
 #include "scan/builder/scene_frame.h"
 #include "scan/grammar/grammar.h"
+#include "scan/yard/yard.h"
 
 namespace jalon {
 
@@ -43,6 +44,7 @@ const Scene& find_scene(SceneName name) {
       {SceneName::kEarthworks, build_earthworks},
       {SceneName::kGrammar, build_grammar},
       {SceneName::kBow, build_bow},
+      {SceneName::kYard, build_yard, 0, {kYardShift_m[0], kYardShift_m[1], kYardShift_m[2]}},
   };
   for (const Scene& scene : kScenes)
     if (name == scene.name) return scene;
@@ -57,7 +59,7 @@ std::span<const ParamRow> scene_rows() {
       choice_row<&S::name>(
           "name",
           "facade|street|room|box|surrounds|strips|insa|insa_surveyed|unwanted|std|normal|patches|"
-          "sills|robbery|lycee|arches|residence|earthworks|grammar|bow",
+          "sills|robbery|lycee|arches|residence|earthworks|grammar|bow|yard",
           "",
           "facade: a town house with doors, windows, plinth, cornice and ground; street: 60 m, six "
           "facades, columns, gutters, boxes, a sphere (the panes of one facade share an id); room: "
@@ -72,7 +74,8 @@ std::span<const ParamRow> scene_rows() {
           "walls, on four days; grammar: a facade of the kind and by the seed told, which brings "
           "its "
           "own scanner and writes its truth; bow: a wall 8 m high, bent about an axis 6 m behind "
-          "it"),
+          "it; yard: low buildings of corrugated sheet with targets, which bring the code lists of "
+          "a survey"),
       number_row<&S::rotation_rad>("rotation_rad", -10, 10, "rad", "",
                                    "turns the scene about the vertical axis through its origin"),
       doubles_row<&S::shift_m>("shift_m", -1e9, 1e9, "m", "",
@@ -108,10 +111,10 @@ std::span<const ParamRow> scene_rows() {
       bool_row<&S::crossing>("crossing", "robbery",
                              "the shelf crosses the wall, half its depth behind it"),
       integer_row<&S::seed>("seed", 0, 9007199254740992.0, "1",
-                            "insa,insa_surveyed,residence,unwanted,lycee,grammar",
+                            "insa,insa_surveyed,residence,unwanted,lycee,grammar,yard",
                             "of open windows, curtains, furniture and leaves; of grammar: of all "
                             "that is not told"),
-      nested_rows<&S::grammar, kGrammarRows>());
+      nested_rows<&S::grammar, kGrammarRows>(), nested_rows<&S::yard, kYardRows>());
   return kRows;
 }
 

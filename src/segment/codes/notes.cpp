@@ -12,6 +12,17 @@ void write_place(JsonWriter& json, const Vec3& p) {
   json.begin_array().value(p.x).value(p.y).value(p.z).end_array();
 }
 
+// The border of an opening lies in the upright plane of its base line.
+void write_border(JsonWriter& json, const CodeShape& shape, const Vec3& origin) {
+  const Vec2 base = in_plan(shape.corner_b - shape.corner_a), along = base * (1 / norm(base));
+  json.name("outline").begin_array();
+  for (const Vec2& p : shape.polygon) {
+    const Vec2 at = in_plan(shape.corner_a) + along * p.u;
+    write_place(json, Vec3{at.u, at.v, p.v} + origin);
+  }
+  json.end_array();
+}
+
 // Every shape in world coordinates, as it was measured.
 void write_shape(JsonWriter& json, const CodeShape& shape, const Vec3& origin) {
   json.name("shape").value(name_of(shape.kind));
@@ -30,8 +41,14 @@ void write_shape(JsonWriter& json, const CodeShape& shape, const Vec3& origin) {
     write_place(json, shape.corner_a + origin);
     write_place(json, shape.corner_b + origin);
     json.end_array();
+    if (shape.kind == CodeShape::Kind::kOutline) write_border(json, shape, origin);
     json.name("low_m").value(shape.low_m + origin.z).name("high_m").value(shape.high_m + origin.z);
   }
+}
+
+std::string code_of(const CodedPoint& p) {
+  const std::string sequence = std::to_string(p.sequence);
+  return p.modifier == kNoModifier ? sequence : sequence + "." + std::to_string(p.modifier);
 }
 
 void write_object(JsonWriter& json, const CodedObject& object, const Vec3& origin, uint32_t label,
@@ -44,7 +61,11 @@ void write_object(JsonWriter& json, const CodedObject& object, const Vec3& origi
   for (const CodedPoint& p : object.points) json.value(p.line);
   json.end_array().name("ids").begin_array();
   for (const CodedPoint& p : object.points) json.value(p.id);
-  json.end_array();
+  json.end_array().name("codes").begin_array();
+  for (const CodedPoint& p : object.points) json.value(code_of(p));
+  json.end_array().name("places").begin_array();
+  for (const CodedPoint& p : object.points) write_place(json, p.position);
+  json.end_array().name("geometry").value(name_of(object.row.geometry));
   if (object.row.is_hinged) json.name("hinge").value(kHinges[static_cast<size_t>(object.hinge)]);
   write_shape(json, object.shape, origin);
   json.end_object();

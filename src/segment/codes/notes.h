@@ -9,8 +9,8 @@
 
 namespace jalon {
 
-/// What a segmentation by codes tells beside its tables, as JSON (jalon/segmenter.h says which). labels: of the
-/// segments, by object; classes: points of each class that was written.
+/// What a segmentation by codes tells beside its tables, as JSON (jalon/segmenter.h says which); read_coded_notes()
+/// reads it. labels: of the segments, by object; classes: points of each class that was written.
 std::string coded_notes(const char* method, const CodedObjects& objects,
                         const std::vector<uint32_t>& labels, const std::vector<uint64_t>& points,
                         const std::map<int64_t, uint64_t>& classes);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "segment/codes/opening_front.h"
 #include "segment/codes/target_scene.h"
 
 namespace jalon {
@@ -12,6 +13,60 @@ namespace {
 // How far two targets of a facade may lie off their common plane, and the cosine of 20 degrees between it and the patch
 // of 10 cm at each.
 constexpr double kOneFacade_m = 0.05, kOneFacadeCosine = 0.94;
+
+// The wall before a door or window shows on which side of their plane the outside is: the points of walls near the
+// target, not the plane's own. 0: none lies there.
+double outside_of(const TargetScene& scene, const Plane& plane, const Vec3& place, double reach_m) {
+  constexpr double kAboutWall_m = 0.5;  // as between the two measurements of a corner
+  double sum = 0;
+  for (size_t i = 0; i < scene.owner.size(); ++i) {
+    if (scene.owner[i] == 0) continue;
+    const CodedObject& owner = scene.objects.objects[scene.owner[i] - 1];
+    if (owner.row.geometry != CodeGeometry::kWallTarget) continue;
+    const Vec3 p = scene.local(i);
+    const double d = plane.distance(p);
+    if (std::fabs(d) < kAboutWall_m && squared_norm(p - place) < reach_m * reach_m) sum += d;
+  }
+  return sum > 0 ? 1 : sum < 0 ? -1 : 0;
+}
+
+// Form "improved": of the points about a plane those at the front of the frame or leaf and up to the distance behind
+// it.
+std::vector<uint32_t> at_front(const TargetScene& scene, const Plane& plane, double outside,
+                               double distance_m, std::vector<uint32_t> points) {
+  const Vec3 along = normalized(cross(Vec3{0, 0, 1}, plane.normal));
+  std::vector<Vec2> flat;
+  for (const uint32_t i : points) {
+    const Vec3 p = scene.local(i);
+    flat.push_back({dot(p, along), outside * plane.distance(p)});
+  }
+  OpeningFront front;
+  std::vector<uint32_t> out;
+  const bool is_found = find_opening_front(flat, front);
+  for (size_t k = 0; k < points.size(); ++k) {
+    const double before = flat[k].v - front.before(flat[k].u);
+    const bool is_at = is_found ? before < kBeforeFront_m && before > -distance_m
+                                : std::fabs(flat[k].v) < distance_m;
+    if (is_at) out.push_back(points[k]);
+  }
+  return out;
+}
+
+// The points of an opening about its plane, among those that keep() takes.
+template <class Keep>
+std::vector<uint32_t> opening_points(const TargetScene& scene, const CodedObject& object,
+                                     const Plane& plane, double reach_m, Keep&& keep, Task& task) {
+  const bool is_improved = scene.settings.input.form == CodeForm::kImproved;
+  const double outside =
+      is_improved ? outside_of(scene, plane, scene.place(object.points.front()), reach_m) : 0;
+  const double distance =
+      object.row.distance_m * (outside != 0 ? 2 : 1);  // the front is sought in twice
+  std::vector<uint32_t> points = free_points(
+      scene, [&](const Vec3& p) { return std::fabs(plane.distance(p)) < distance && keep(p); },
+      task);
+  return outside == 0 ? points
+                      : at_front(scene, plane, outside, object.row.distance_m, std::move(points));
+}
 
 void take_door(TargetScene& scene, uint32_t number, Task& task) {
   const CodedObject& object = scene.objects.objects[number - 1];
@@ -23,13 +78,9 @@ void take_door(TargetScene& scene, uint32_t number, Task& task) {
         "fewer than three free points lie at its target: flush with its wall, or hidden");
   const Vec3 centre = scene.place(target);
   const double most = scene.settings.door_radius_m * scene.settings.door_radius_m;
-  for (const uint32_t i : free_points(
-           scene,
-           [&](const Vec3& p) {
-             return std::fabs(plane->distance(p)) < object.row.distance_m &&
-                    squared_norm(p - centre) < most;
-           },
-           task))
+  for (const uint32_t i : opening_points(
+           scene, object, *plane, scene.settings.door_radius_m,
+           [&](const Vec3& p) { return squared_norm(p - centre) < most; }, task))
     scene.owner[i] = number;
 }
 
@@ -62,13 +113,9 @@ void take_facade(TargetScene& scene, uint32_t number, Task& task) {
   };
   if (!plane || !agrees(a, own[0]) || !agrees(b, own[1]))
     return warn_of_target(scene, object, "its two targets are on no common plane: left out");
-  for (const uint32_t i : free_points(
-           scene,
-           [&](const Vec3& p) {
-             return std::fabs(plane->distance(p)) < object.row.distance_m &&
-                    between(p, a, b, scene.settings.window_margin_m);
-           },
-           task))
+  for (const uint32_t i : opening_points(
+           scene, object, *plane, norm(b - a),
+           [&](const Vec3& p) { return between(p, a, b, scene.settings.window_margin_m); }, task))
     scene.owner[i] = number;
 }
 

@@ -10,6 +10,17 @@ import tempfile
 import unittest
 
 EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "examples", "python")
+CODES = """1;0;0;10;300.2
+2;22;0;10;300.4
+3;22;8;10;300.4
+4;0;8;10;300.4
+5;0;0;0;300.4
+6;0.971;0.2;4.18;360
+7;2.171;0.2;5.827;360
+8;10.4;0;7.347;361
+9;10.4;0.15;7.347;361.8
+10;11.6;0;8.994;361
+"""
 BUILD = os.environ.get("JALON_BUILD", "")
 HIDE = os.environ.get("JALON_HIDE", "").split()
 
@@ -66,3 +77,8 @@ class Examples(unittest.TestCase):
 
     def python__06_joint_prints_what_c_prints(self):
         self.compare("06_joint", "street.obj", "drive.ply", "drive.txt", "adjusted.txt")
+
+    def python__07_feature_codes_prints_what_c_prints(self):
+        with open(self.at("codes.txt"), "w") as file:
+            file.write(CODES)
+        self.compare("07_feature_codes", "facade_1.las", "codes.txt", "classified.las", "objects.dxf")

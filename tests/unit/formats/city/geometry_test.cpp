@@ -33,6 +33,29 @@ double largest_coordinate(const Vec3& v) {
 
 }  // namespace
 
+TEST_CASE("city_geometry__gutters_are_installed_on_the_building_above_them") {
+  Model model;
+  for (const auto& [part_class, parent] : {std::pair<const char*, uint64_t>{"building", kNoParent},
+                                           {"wall", 0},
+                                           {"gutter", 0},
+                                           {"gutter", kNoParent}})
+    model.parts.push_back(city_part(part_class, parent));
+  for (uint32_t part = 1; part < 4; ++part) {
+    Face face;
+    face.part = part;
+    const double x = part;
+    model.add_face(face, {{{x, 0, 0}, {x + 1, 0, 0}, {x + 1, 0, 1}}});
+  }
+  city::Grid grid(model, 0.001);
+  Task task;
+  const city::City city = city::arrange(model, grid, task);
+  REQUIRE(city.objects.size() == 3);
+  CHECK(city.objects.at(0).geometries.at(0).surfaces.size() == 1);
+  CHECK(city.objects.at(2).parent == 0);
+  CHECK(city.objects.at(2).geometries.at(0).surfaces.size() == 1);
+  CHECK(city.objects.at(kNoPart).geometries.at(0).surfaces.size() == 1);  // of no building
+}
+
 TEST_CASE("city_grid__keeps_every_place_once_and_to_half_a_step") {
   constexpr double kStep_m = 0.01;
   constexpr double kRounding_m = 4e-9;  // four roundings of numbers below 2^23

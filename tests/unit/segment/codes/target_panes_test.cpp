@@ -32,3 +32,25 @@ TEST_CASE("target_panes__two_targets_of_different_planes_are_no_facade") {
   CHECK(warned(s, "windows 1").find("no common plane") != std::string::npos);
   CHECK(s.segments.empty());
 }
+
+TEST_CASE("target_panes__improved_reveals_are_no_windows") {
+  TargetHouse house;
+  for (double y = 0.01; y < 0.2; y += 0.02)
+    for (const double left : {4.0, 7.0}) {
+      for (double z = 1.01; z < 2; z += 0.02)
+        house.add({left, y, z}, 1), house.add({left + 2, y, z}, 1);
+      for (double x = left + 0.01; x < left + 2; x += 0.02)
+        house.add({x, y, 1}, 1), house.add({x, y, 2}, 1);
+    }
+  TargetCodeSettings settings;
+  settings.input.codes = house.targets;
+  Task task;
+  const CloudPtr cloud = cloud_of(house.points);
+  const Segmentation source = segment_by_target_codes(cloud, settings, task);
+  settings.input.form = CodeForm::kImproved;
+  const Segmentation improved = segment_by_target_codes(cloud, settings, task);
+  CHECK(house.confused(source, 1, 3) > 800);  // two rows of the reveals of both windows
+  CHECK(house.confused(improved, 1, 3) == 0);
+  CHECK(house.confused(improved, 3, 3) == house.of(3));
+  CHECK(house.confused(improved, 2, 2) == house.of(2));
+}

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/codes/pipe_places.h"
+
+#include <cmath>
+#include <optional>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kPipePointsPerChunk = 1 << 15;
+constexpr double kMostOff_m = 0.06;  // twice a prism held badly
+constexpr double kOnPipe_m = 0.006;  // three times the noise of a scanner
+constexpr size_t kFewestOnPipe = 40;
+constexpr double kLeastPart = 0.6, kMostPart = 1.6;  // of the surveyed radius
+
+bool is_upright(const CodedObject& object) {
+  return object.shape.kind == CodeShape::Kind::kPipe && object.shape.axis.size() == 2 &&
+         in_plan(object.shape.axis[0]) == in_plan(object.shape.axis[1]);
+}
+
+std::optional<PipePlace> place_of_pipe(const CodedObject& object, size_t number,
+                                       const std::vector<Vec2>& points, Task& task) {
+  const CodeShape& shape = object.shape;
+  PrimitiveSetting setting;
+  setting.tolerance_m = kOnPipe_m;
+  setting.min_radius_m = kLeastPart * shape.radius_m;
+  setting.max_radius_m = kMostPart * shape.radius_m;
+  CircleFit fit;
+  if (points.size() < kFewestOnPipe || !fit_circle(points, setting, task, fit) ||
+      fit.n < kFewestOnPipe)
+    return std::nullopt;
+  const double off = norm(fit.circle.centre - in_plan(shape.axis[0]));
+  if (off > kMostOff_m) return std::nullopt;
+  return PipePlace{number, fit.circle, off};
+}
+
+}  // namespace
+
+std::vector<PipePlace> pipe_places(const Cloud& cloud, const CodedObjects& objects, Task& task) {
+  std::vector<size_t> pipes;
+  for (size_t i = 0; i < objects.objects.size(); ++i)
+    if (is_upright(objects.objects[i])) pipes.push_back(i);
+  if (pipes.empty()) return {};
+  // 1. The points about each, chunk by chunk in their order.
+  const size_t chunks = (cloud.size() + kPipePointsPerChunk - 1) / kPipePointsPerChunk;
+  std::vector<std::vector<std::pair<size_t, Vec2>>> found(chunks);
+  parallel_for(task, cloud.size(), kPipePointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 p = cloud.point(i) - objects.origin;
+      for (size_t k = 0; k < pipes.size(); ++k) {
+        const CodeShape& shape = objects.objects[pipes[k]].shape;
+        if (!(p.z > shape.low_m && p.z < shape.high_m)) continue;
+        const Vec2 d = in_plan(p - shape.axis[0]);
+        const double reach = shape.radius_m + kMostOff_m;
+        if (dot(d, d) < reach * reach)
+          found[begin / kPipePointsPerChunk].push_back({k, in_plan(p)});
+      }
+    }
+  });
+  // 2. The circle among them.
+  std::vector<std::vector<Vec2>> points(pipes.size());
+  for (const auto& part : found)
+    for (const auto& [k, p] : part) points[k].push_back(p);
+  std::vector<PipePlace> places;
+  for (size_t k = 0; k < pipes.size(); ++k)
+    if (auto place = place_of_pipe(objects.objects[pipes[k]], pipes[k], points[k], task))
+      places.push_back(*place);
+  return places;
+}
+
+}  // namespace jalon

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/codes/survey_refinement.h"
+
+#include <cmath>
+
+#include "base/parallel.h"
+#include "base/text_number.h"
+#include "geometry/polygon2.h"
+#include "segment/codes/opening_front.h"
+#include "segment/codes/pipe_places.h"
+#include "segment/codes/survey_space.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kRefinedPerChunk = 1 << 14;
+constexpr double kAside_m = 0.02;         // two steps from a frame tell which way is out
+constexpr double kAboutPlane_m = 0.07;    // within which the front of an opening is looked for
+constexpr double kShiftedPipe_m = 0.015;  // the thesis' margin about pipes is 0.02
+constexpr double kFittedPipeMargin_m = 0.01;
+
+bool is_opening(const CodedObject& object) {
+  return object.shape.kind == CodeShape::Kind::kRectangle ||
+         object.shape.kind == CodeShape::Kind::kOutline;
+}
+
+// The same objects, openings with a thicker layer or none.
+CodedObjects with_openings(const CodedObjects& objects, double distance_m) {
+  CodedObjects out{objects.origin, objects.objects, {}};
+  for (CodedObject& object : out.objects)
+    if (is_opening(object)) {
+      object.row.distance_m = distance_m;
+      if (!(distance_m > 0)) object.shape.kind = CodeShape::Kind::kNone;
+    }
+  return out;
+}
+
+// Along the opening's plane, and before it: u = 0 at corner a; v positive on the outer side.
+struct OpeningPlane {
+  Vec2 from, along, outward;
+  bool has_outside = false;
+  Vec2 of(const Vec3& p) const {
+    const Vec2 d = in_plan(p) - from;
+    return {dot(d, along), dot(d, outward)};
+  }
+};
+
+class Refinement {
+ public:
+  Refinement(const Cloud& cloud, const CodeTable& table, const CodedObjects& objects,
+             const SurveyCodeSettings& settings, Task& task)
+      : cloud_(cloud),
+        objects_(objects),
+        settings_(settings),
+        about_(settings),
+        task_(task),
+        thick_(with_openings(objects, kAboutPlane_m)),
+        bare_(with_openings(objects, 0)),
+        near_(table, thick_, wide(about_)),
+        shells_(table, bare_, settings) {}
+
+  // 1. the points about each opening; 2. its front among them; 3. points at it and up to the text's distance behind it
+  // are the opening's, the others their wall's.
+  void openings(std::vector<uint32_t>& object_of_point) {
+    const std::vector<uint32_t> near = objects_near();
+    std::vector<std::vector<uint32_t>> points(objects_.objects.size());
+    for (uint32_t i = 0; i < near.size(); ++i)
+      if (near[i] != 0 && is_opening(objects_.objects[near[i] - 1]))
+        points[near[i] - 1].push_back(i);
+    for (size_t k = 0; k < points.size(); ++k)
+      if (!points[k].empty()) share(k, points[k], object_of_point);
+  }
+
+  // 4. pipes: what lies on the circle, up to a margin of the fit.
+  void pipes(const std::vector<PipePlace>& places, std::vector<uint32_t>& object_of_point) {
+    parallel_for(task_, cloud_.size(), kRefinedPerChunk, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i)
+        for (const PipePlace& place : places) {
+          const Vec3 p = local(i);
+          const CodeShape& shape = objects_.objects[place.object].shape;
+          const auto number = static_cast<uint32_t>(place.object + 1);
+          const bool is_on = p.z > shape.low_m && p.z < shape.high_m &&
+                             place.circle.distance(in_plan(p)) < kFittedPipeMargin_m;
+          if (is_on) object_of_point[i] = number;
+          else if (object_of_point[i] == number) object_of_point[i] = shells_.object_at(p);
+        }
+    });
+  }
+
+ private:
+  // Walls stand along the axes too: the box about an opening must be as deep as the layer.
+  static SurveyCodeSettings& wide(SurveyCodeSettings& settings) {
+    settings.opening_margin_m = std::max(settings.opening_margin_m, kAboutPlane_m);
+    return settings;
+  }
+
+  // Beside its corners or its outline by the margin at most.
+  bool is_beside(const CodedObject& object, const OpeningPlane& plane, const Vec3& p) const {
+    const CodeShape& s = object.shape;
+    const double margin = settings_.opening_margin_m, u = plane.of(p).u,
+                 width = norm(in_plan(s.corner_b - s.corner_a));
+    if (s.kind == CodeShape::Kind::kOutline)
+      return contains(s.polygon, Vec2{u, p.z}) || border_distance(s.polygon, Vec2{u, p.z}) < margin;
+    return u > -margin && u < width + margin && p.z > s.low_m - margin && p.z < s.high_m + margin;
+  }
+
+  Vec3 local(size_t i) const { return cloud_.point(i) - objects_.origin; }
+
+  std::vector<uint32_t> objects_near() {
+    std::vector<uint32_t> near(cloud_.size());
+    parallel_for(task_, near.size(), kRefinedPerChunk, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) near[i] = near_.object_at(local(i));
+    });
+    return near;
+  }
+
+  // The outer side is where the way out of the nearest building is shorter; without a building there is none.
+  OpeningPlane plane_of_opening(const CodedObject& object) const {
+    const CodeShape& s = object.shape;
+    const Vec2 base = in_plan(s.corner_b - s.corner_a), along = base * (1 / norm(base));
+    OpeningPlane plane{in_plan(s.corner_a), along, {along.v, -along.u}, false};
+    const Vec2 middle = in_plan(0.5 * (s.corner_a + s.corner_b)), aside = plane.outward * kAside_m;
+    const double there = depth_in_buildings(middle + aside),
+                 here = depth_in_buildings(middle - aside);
+    plane.has_outside = std::isfinite(there);
+    if (there > here) plane.outward = plane.outward * -1;
+    return plane;
+  }
+
+  // How far inside the outline of the nearest building, negative outside; minus infinity without any.
+  double depth_in_buildings(const Vec2& p) const {
+    double most = -INFINITY;
+    for (const CodedObject& object : objects_.objects) {
+      if (object.shape.kind != CodeShape::Kind::kPrism) continue;
+      const double distance = border_distance(object.shape.polygon, p);
+      most = std::max(most, contains(object.shape.polygon, p) ? distance : -distance);
+    }
+    return most;
+  }
+
+  void share(size_t k, const std::vector<uint32_t>& points,
+             std::vector<uint32_t>& object_of_point) {
+    const CodedObject& object = objects_.objects[k];
+    const OpeningPlane plane = plane_of_opening(object);
+    std::vector<Vec2> flat;
+    std::vector<uint32_t> kept;
+    for (const uint32_t i : points)
+      if (is_beside(object, plane, local(i))) {
+        kept.push_back(i);
+        flat.push_back(plane.of(local(i)));
+      }
+    OpeningFront front;
+    if (!find_opening_front(flat, front)) return;
+    const auto number = static_cast<uint32_t>(k + 1);
+    for (size_t j = 0; j < kept.size(); ++j) {
+      const double before = flat[j].v - front.before(flat[j].u);
+      const double most = plane.has_outside ? kBeforeFront_m : object.row.distance_m;
+      const bool is_its = before < most && before > -object.row.distance_m;
+      uint32_t& owner = object_of_point[kept[j]];
+      if (is_its) owner = number;
+      else if (owner == number) owner = shells_.object_at(local(kept[j]));
+    }
+  }
+
+  const Cloud& cloud_;
+  const CodedObjects& objects_;
+  const SurveyCodeSettings& settings_;
+  SurveyCodeSettings about_;
+  Task& task_;
+  CodedObjects thick_, bare_;
+  SurveySpace near_, shells_;
+};
+
+}  // namespace
+
+void refine_survey(const Cloud& cloud, const CodeTable& table, const CodedObjects& objects,
+                   const SurveyCodeSettings& settings, std::vector<uint32_t>& object_of_point,
+                   Task& task) {
+  Refinement refinement(cloud, table, objects, settings, task);
+  refinement.openings(object_of_point);
+  refinement.pipes(pipe_places(cloud, objects, task), object_of_point);
+}
+
+void warn_of_shifted_pipes(const Cloud& cloud, CodedObjects& objects, Task& task) {
+  for (const PipePlace& place : pipe_places(cloud, objects, task)) {
+    const CodedObject& object = objects.objects[place.object];
+    if (place.off_m > kShiftedPipe_m)
+      objects.warnings.push_back(
+          {object.points.front().line, object.name,
+           "its points lie about a place " + text_of(place.off_m, 3) + " m from the surveyed one"});
+  }
+}
+
+}  // namespace jalon

@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/text_number.h"
+#include "scan/scanner.h"
+#include "scan/yard/yard.h"
+#include "segment/codes_methods.h"
+
+namespace jalon::test {
+
+/// Classes of points against the truth: rest, walls, doors, windows, gutters.
+struct ClassFigures {
+  std::array<std::array<uint64_t, 5>, 5> counts{};  ///< [truth][given]
+
+  uint64_t row(size_t c) const {
+    uint64_t n = 0;
+    for (const uint64_t k : counts[c]) n += k;
+    return n;
+  }
+  uint64_t column(size_t c) const {
+    uint64_t n = 0;
+    for (const auto& r : counts) n += r[c];
+    return n;
+  }
+  double precision(size_t c) const { return ratio(counts[c][c], column(c)); }
+  double recall(size_t c) const { return ratio(counts[c][c], row(c)); }
+  double f1(size_t c) const {
+    const double p = precision(c), r = recall(c);
+    return p + r > 0 ? 2 * p * r / (p + r) : 0;
+  }
+  double overall() const {
+    uint64_t right = 0, all = 0;
+    for (size_t c = 0; c < 5; ++c) right += counts[c][c], all += row(c);
+    return ratio(right, all);
+  }
+  /// Over the classes that the truth has, the rest included.
+  double mean_f1() const {
+    double sum = 0, n = 0;
+    for (size_t c = 0; c < 5; ++c)
+      if (row(c) > 0) sum += f1(c), ++n;
+    return n > 0 ? sum / n : 0;
+  }
+  std::string text() const {
+    constexpr const char* kNames[] = {"rest", "walls", "doors", "windows", "gutters"};
+    std::string out = "oAcc " + text_of(overall(), 4) + ", mean F1 " + text_of(mean_f1(), 3);
+    for (size_t c = 0; c < 5; ++c)
+      if (row(c) > 0)
+        out += std::string(", ") + kNames[c] + " " + text_of(precision(c), 3) + " " +
+               text_of(recall(c), 3) + " " + text_of(f1(c), 3);
+    return out;
+  }
+
+ private:
+  static double ratio(uint64_t part, uint64_t whole) {
+    return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
+  }
+};
+
+/// A yard, scanned, with its code lists and the class of each point.
+struct CodedYard {
+  CloudPtr cloud;
+  std::vector<uint8_t> truth;
+  std::string survey, targets;
+
+  CodedYard(const YardSettings& yard, uint64_t seed, double spacing_m) {
+    SceneSettings scene{.name = SceneName::kYard, .seed = seed};
+    scene.yard = yard;
+    Task task;
+    const Model model = build_scene(scene, task);
+    SampleSettings sample;
+    sample.spacing_m = spacing_m;
+    sample.noise_m = 0.002;
+    sample.seed = seed;
+    sample.surfaces.glass_return_min = sample.surfaces.glass_return_max = 0.05;
+    // Gutters are grown in steps of 2 cm.
+    sample.densities = yard.zone == YardZone::kComplete
+                           ? "ground=0.3"
+                           : "ground=0.3,gutter=" + text_of(std::pow(spacing_m / 0.01, 2));
+    cloud = std::make_shared<const Cloud>(scan_sample(model, {}, sample, task));
+    const YardTruth known = yard_truth(scene);
+    for (const uint32_t face : cloud->fields.require("face").values<uint32_t>())
+      truth.push_back(face >= 1 && face <= known.face_classes.size() ? known.face_classes[face - 1]
+                                                                     : uint8_t{0});
+    for (const std::string& line : known.survey) survey += line + "\n";
+    for (const std::string& line : known.targets) targets += line + "\n";
+  }
+
+  ClassFigures of(const Segmentation& coded) const {
+    ClassFigures figures;
+    const auto given = coded.cloud->fields.require("classification").values<uint8_t>();
+    for (size_t i = 0; i < truth.size(); ++i) ++figures.counts[truth[i]][given[i]];
+    return figures;
+  }
+};
+
+}  // namespace jalon::test

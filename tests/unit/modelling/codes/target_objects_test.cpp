@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/codes/target_objects.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "unit/segment/codes/target_house.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+TEST_CASE("target_shapes__reach_as_far_as_all_but_a_hundredth_of_the_points") {
+  const TargetHouse house;
+  const Segmentation coded = house.coded(house.targets);
+  const CodedNotes notes = read_coded_notes(coded.notes_json);
+  Task task;
+  const auto shapes = target_shapes(coded, notes, {}, 0.25, task);
+  REQUIRE(shapes.size() == notes.objects.size());
+  for (size_t i = 0; i < shapes.size(); ++i) {
+    const std::string& geometry = notes.objects[i].geometry;
+    CAPTURE(geometry);
+    if (geometry == "gutter_target") {
+      CHECK(shapes[i].rectangles.empty());
+      CHECK(std::fabs(shapes[i].radius_m - 0.04) < 0.002);
+      continue;
+    }
+    REQUIRE(shapes[i].rectangles.size() == (geometry == "window_target" ? 2u : 1u));
+    const CodedWall& first = shapes[i].rectangles[0];
+    CHECK(first.inward().v == doctest::Approx(1));  // its outside looks along -Y
+    if (geometry == "wall_target") CHECK(first.length_m() > 9.5);
+    if (geometry == "door_target") CHECK(std::fabs(first.length_m() - 1) < 0.05);
+    if (geometry == "window_target") CHECK(std::fabs(first.a.v - 0.2) < 1e-3);
+  }
+  // A gap wider than the wall between them makes one of the two windows.
+  CHECK(target_shapes(coded, notes, {}, 1.5, task)[2].rectangles.size() == 1);
+}

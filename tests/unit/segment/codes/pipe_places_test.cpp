@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/codes/pipe_places.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "base/random.h"
+#include "unit/segment/codes/coded.h"
+#include "unit/segment/scenes.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+/// The outer half of a pipe of 38 mm about (10, 5), and a wall 10 cm behind its axis.
+CloudPtr half_pipe(uint64_t seed) {
+  RandomStream random(seed, 0);
+  std::vector<Vec3> points;
+  const double half_turn = std::acos(-1.0);
+  for (int i = 0; i < 2000; ++i) {
+    const double angle = half_turn * random.uniform(), r = 0.038 + 0.002 * random.normal();
+    points.push_back({10 + r * std::cos(angle), 5 - r * std::sin(angle), 2.8 * random.uniform()});
+  }
+  for (int i = 0; i < 3000; ++i)
+    points.push_back(
+        {9.5 + random.uniform(), 5.1 + 0.002 * random.normal(), 2.8 * random.uniform()});
+  return cloud_of(points);
+}
+
+}  // namespace
+
+TEST_CASE("pipe_places__are_where_the_points_are") {
+  for (uint64_t seed = 1; seed <= 5; ++seed)
+    for (const double off : {0.0, 0.03}) {
+      const std::string y = text_of(5 - off, 3);
+      const CodedObjects all =
+          surveyed("1;10;" + y + ";0;408\n2;10.038;" + y + ";0;409\n3;10;" + y + ";2.8;410\n");
+      Task task;
+      const auto places = pipe_places(*half_pipe(seed), all, task);
+      REQUIRE(places.size() == 1);
+      CHECK(std::fabs(places[0].off_m - off) < 0.003);
+      CHECK(std::fabs(places[0].circle.radius - 0.038) < 0.002);
+      CHECK(std::hypot(places[0].circle.centre.u + all.origin.x - 10,
+                       places[0].circle.centre.v + all.origin.y - 5) < 0.003);
+    }
+}
+
+TEST_CASE("pipe_places__none_without_a_round_of_points") {
+  Task task;
+  std::vector<Vec3> wall;
+  for (int i = 0; i < 200; ++i) wall.push_back({0.01 * i, 0.03, 1});
+  const CodedObjects all = surveyed("1;1;0;0;408\n2;1.038;0;0;409\n3;1;0;2.8;410\n");
+  for (const PipePlace& place : pipe_places(*cloud_of(wall), all, task)) CHECK(place.off_m < 0.06);
+  CHECK(pipe_places(*cloud_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), all, task).empty());
+  CHECK(pipe_places(*cloud_of(wall), surveyed(""), task).empty());
+}
