@@ -11,7 +11,8 @@
 namespace jalon {
 
 // The target method of feature codes (master's thesis, University of Liege 2021, 6.1):
-// 1. read the table and the list; 2. walls; 3. doors; 4. windows; 5. gutters, each from what those before left;
+// 1. read the table and the list; 2. walls; 3. doors; 4. windows; 5. gutters, each from what those before left
+// (form "improved": gutters first);
 // 6. segments, classes and notes.
 Segmentation segment_by_target_codes(const CloudPtr& cloud, const TargetCodeSettings& settings,
                                      Task& task) {
@@ -22,20 +23,23 @@ Segmentation segment_by_target_codes(const CloudPtr& cloud, const TargetCodeSett
   CodedObjects objects = grouped_objects(read_code_list(settings.input.codes, table), table);
   clock.done("codes");
   TargetScene scene{*cloud, objects, settings, std::vector<uint32_t>(cloud->size(), 0)};
-  const struct {
+  struct Step {
     void (*take)(TargetScene&, Task&);
     const char* name;
-    double from, to;
-  } steps[] = {{take_walls, "walls", 0, 0.5},
-               {take_doors, "doors", 0.5, 0.55},
-               {take_windows, "windows", 0.55, 0.6},
-               {take_gutters, "gutters", 0.6, 0.7}};
-  for (const auto& step : steps) {
-    ProgressSpan span(task, step.from, step.to, step.name);
-    step.take(scene, task);
-    clock.done(step.name);
+  };
+  std::vector<Step> steps{{take_walls, "walls"}, {take_doors, "doors"}, {take_windows, "windows"}};
+  // A wall takes what stands out of it by less than its distance.
+  const bool is_improved = settings.input.form == CodeForm::kImproved;
+  steps.insert(is_improved ? steps.begin() : steps.end(), Step{take_gutters, "gutters"});
+  constexpr double kStepsShare = 0.7;
+  for (size_t k = 0; k < steps.size(); ++k) {
+    const double share = kStepsShare / static_cast<double>(steps.size());
+    ProgressSpan span(task, share * static_cast<double>(k), share * static_cast<double>(k + 1),
+                      steps[k].name);
+    steps[k].take(scene, task);
+    clock.done(steps[k].name);
   }
-  ProgressSpan span(task, 0.7, 1, "segments");
+  ProgressSpan span(task, kStepsShare, 1, "segments");
   warn_of_empty(*cloud, scene.owner, objects, task);
   Segmentation out = coded_segmentation(cloud, std::move(scene.owner), objects, settings.input,
                                         "target_codes", task);

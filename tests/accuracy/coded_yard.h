@@ -80,10 +80,10 @@ struct CodedYard {
     sample.noise_m = 0.002;
     sample.seed = seed;
     sample.surfaces.glass_return_min = sample.surfaces.glass_return_max = 0.05;
-    // Gutters are grown in steps of 2 cm.
-    sample.densities = yard.zone == YardZone::kComplete
-                           ? "ground=0.3"
-                           : "ground=0.3,gutter=" + text_of(std::pow(spacing_m / 0.01, 2));
+    // Targets are as dense as the source's cloud, 60 000 points/m2; gutters are grown in steps of 2 cm.
+    sample.densities = "ground=0.3,target=" + text_of(60000 * spacing_m * spacing_m);
+    if (yard.zone != YardZone::kComplete)
+      sample.densities += ",gutter=" + text_of(std::pow(spacing_m / 0.01, 2));
     cloud = std::make_shared<const Cloud>(scan_sample(model, {}, sample, task));
     const YardTruth known = yard_truth(scene);
     for (const uint32_t face : cloud->fields.require("face").values<uint32_t>())

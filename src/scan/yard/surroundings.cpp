@@ -61,8 +61,9 @@ void add_tiles(Sheets& out, uint32_t part, const Plan& plan, RandomStream& rando
     }
 }
 
-void add_eaves(Sheets& out, uint32_t part, const Side& side) {
-  const double z = side.top_m + kEmptyBand_m;
+// One height for all, above the highest wall: the text cuts all its walls at one gap.
+void add_eaves(Sheets& out, uint32_t part, const Side& side, double highest_m) {
+  const double z = highest_m + kEmptyBand_m;
   const Vec3 o = side.wall.origin;
   out.rect(part, kRest, {{o.x, o.y, z}, side.wall.u, side.wall.normal()},
            {0, side.length_m, -kSoffitInside_m, kOverhang_m});
@@ -92,9 +93,11 @@ void add_surroundings(Sheets& out, const Plan& plan, uint64_t seed) {
   const uint32_t ground = out.part("ground", "ground"), roof = out.part("roof", "roof"),
                  gutters = out.part("gutters", "gutter");
   out.part("bushes", "tree");
+  double highest_m = 0;
+  for (const Side& side : plan.sides) highest_m = std::max(highest_m, side.top_m);
   for (const Side& side : plan.sides) {
     add_strip(out, ground, side, random);
-    add_eaves(out, roof, side);
+    add_eaves(out, roof, side, highest_m);
   }
   add_tiles(out, ground, plan, random);
   for (const Gutter& g : plan.gutters) add_gutter(out, gutters, g);

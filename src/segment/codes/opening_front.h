@@ -15,9 +15,10 @@ struct OpeningFront {
   double before(double s) const { return at_m + slope * s; }
 };
 
-/// Points about an opening, u = place along its plane, v = distance before it: the fullest two layers of 5 mm, then the
-/// line of least squares through what lies within 1 cm of it, and at last within 5 mm. False for fewer than 20 points in that layer.
-bool find_opening_front(std::span<const Vec2> points, OpeningFront& front);
+/// Points about an opening, x = place along its plane, y = distance before it, z = height: the two layers of 5 mm that
+/// cover most, then the line of least squares through what lies within 1 cm of it, and at last within 5 mm. False where
+/// that layer covers fewer than 20 places of 5 cm.
+bool find_opening_front(std::span<const Vec3> points, OpeningFront& front);
 
 /// How far before its front a point of a frame may lie: three times the noise of a scanner. What lies farther before it
 /// is the reveal of the wall.

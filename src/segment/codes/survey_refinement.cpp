@@ -144,18 +144,19 @@ class Refinement {
              std::vector<uint32_t>& object_of_point) {
     const CodedObject& object = objects_.objects[k];
     const OpeningPlane plane = plane_of_opening(object);
-    std::vector<Vec2> flat;
+    std::vector<Vec3> flat;
     std::vector<uint32_t> kept;
     for (const uint32_t i : points)
       if (is_beside(object, plane, local(i))) {
         kept.push_back(i);
-        flat.push_back(plane.of(local(i)));
+        const Vec2 at = plane.of(local(i));
+        flat.push_back({at.u, at.v, local(i).z});
       }
     OpeningFront front;
     if (!find_opening_front(flat, front)) return;
     const auto number = static_cast<uint32_t>(k + 1);
     for (size_t j = 0; j < kept.size(); ++j) {
-      const double before = flat[j].v - front.before(flat[j].u);
+      const double before = flat[j].y - front.before(flat[j].x);
       const double most = plane.has_outside ? kBeforeFront_m : object.row.distance_m;
       const bool is_its = before < most && before > -object.row.distance_m;
       uint32_t& owner = object_of_point[kept[j]];

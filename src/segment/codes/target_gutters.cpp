@@ -3,6 +3,7 @@
 #include <cmath>
 #include <deque>
 
+#include "geometry/circle.h"
 #include "segment/codes/target_scene.h"
 
 namespace jalon {
@@ -83,6 +84,34 @@ class GutterPoints {
   std::vector<Vec3> normals_;
 };
 
+// Form "improved": what lies on the circle about which the grown points lie, between their ends; they themselves where
+// they lie about none.
+std::vector<uint32_t> on_pipe(const TargetScene& scene, const std::vector<uint32_t>& grown,
+                              Task& task) {
+  constexpr double kOnCircle_m = 0.01, kThinnest_m = 0.01, kThickest_m = 0.15;
+  constexpr size_t kFewestGrown = 40;
+  std::vector<Vec2> plan;
+  double low = INFINITY, high = -INFINITY;
+  for (const uint32_t i : grown) {
+    const Vec3 p = scene.local(i);
+    plan.push_back(in_plan(p));
+    low = std::min(low, p.z), high = std::max(high, p.z);
+  }
+  PrimitiveSetting setting;
+  setting.tolerance_m = kOnCircle_m;
+  setting.min_radius_m = kThinnest_m;
+  setting.max_radius_m = kThickest_m;
+  CircleFit fit;
+  if (plan.size() < kFewestGrown || !fit_circle(plan, setting, task, fit)) return grown;
+  return free_points(
+      scene,
+      [&](const Vec3& p) {
+        return p.z >= low && p.z <= high &&
+               std::fabs(fit.circle.distance(in_plan(p))) < kOnCircle_m;
+      },
+      task);
+}
+
 }  // namespace
 
 void take_gutters(TargetScene& scene, Task& task) {
@@ -106,9 +135,14 @@ void take_gutters(TargetScene& scene, Task& task) {
       task);
   if (points.empty()) return;
   const GutterPoints gutters(scene, std::move(points), task);
-  for (const uint32_t number : numbers)
+  for (const uint32_t number : numbers) {
+    std::vector<uint32_t> region;
     for (const uint32_t i : gutters.grown(target(number), task))
-      if (uint32_t& owner = scene.owner[gutters.cloud_index(i)]; owner == 0) owner = number;
+      region.push_back(gutters.cloud_index(i));
+    if (scene.settings.input.form == CodeForm::kImproved) region = on_pipe(scene, region, task);
+    for (const uint32_t i : region)
+      if (scene.owner[i] == 0) scene.owner[i] = number;
+  }
 }
 
 }  // namespace jalon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <unordered_map>
 
 #include "base/random.h"
@@ -55,6 +56,22 @@ std::optional<Plane> drawn_wall(const TargetScene& scene, const CodedPoint& targ
   return best;
 }
 
+// Form "improved": least squares over what lies about the drawn plane, which passes through a target before the waves
+// of a corrugated sheet.
+Plane adjusted_wall(const TargetScene& scene, const std::vector<uint32_t>& slab, Plane plane) {
+  constexpr int kAdjustments = 3;
+  for (int round = 0; round < kAdjustments; ++round) {
+    std::vector<uint32_t> near;
+    for (const uint32_t i : slab)
+      if (std::fabs(plane.distance(scene.local(i))) < scene.settings.wall_distance_m)
+        near.push_back(i);
+    const auto better = plane_of(scene, near);
+    if (!better) break;
+    plane = *better;
+  }
+  return plane;
+}
+
 void take_wall(TargetScene& scene, uint32_t number, std::vector<WallPoint>& walls, Task& task) {
   const CodedObject& object = scene.objects.objects[number - 1];
   const CodedPoint& target = object.points.front();
@@ -68,6 +85,7 @@ void take_wall(TargetScene& scene, uint32_t number, std::vector<WallPoint>& wall
     warn_of_target(scene, object, "no drawn plane is near that of its target, which is taken");
     plane = first;
   }
+  if (scene.settings.input.form == CodeForm::kImproved) plane = adjusted_wall(scene, slab, *plane);
   for (const uint32_t i : slab)
     if (std::fabs(plane->distance(scene.local(i))) < scene.settings.wall_distance_m) {
       scene.owner[i] = number;
@@ -75,8 +93,8 @@ void take_wall(TargetScene& scene, uint32_t number, std::vector<WallPoint>& wall
     }
 }
 
-// Height of the first empty class of the histogram of all walls' heights; infinite when none is empty.
-double top_of(const TargetScene& scene, const std::vector<WallPoint>& walls) {
+// Height of the first empty class of the histogram of walls' heights; infinite when none is empty.
+double top_of(const TargetScene& scene, std::span<const WallPoint> walls) {
   double low = INFINITY, high = -INFINITY;
   for (const WallPoint& p : walls) {
     low = std::min(low, scene.local(p.index).z);
@@ -97,7 +115,7 @@ struct Extent {
 };
 
 // Columns of the plan whose points do not reach the height of a wall go back, and what lies above the gap.
-void cut_walls(TargetScene& scene, const std::vector<WallPoint>& walls) {
+void cut_walls(TargetScene& scene, std::span<const WallPoint> walls) {
   const double top = top_of(scene, walls), cell = scene.settings.wall_cell_m;
   std::unordered_map<uint64_t, Extent> columns;
   const auto column_of = [&](const Vec3& p) {
@@ -128,7 +146,12 @@ void take_walls(TargetScene& scene, Task& task) {
     if (scene.objects.objects[number - 1].row.geometry == CodeGeometry::kWallTarget)
       take_wall(scene, number, walls, task);
   task.checkpoint(1);
-  cut_walls(scene, walls);
+  if (scene.settings.input.form == CodeForm::kSource) return cut_walls(scene, walls);
+  // Buildings differ in height: each wall ends below its own gap.
+  for (size_t first = 0, end = 0; first < walls.size(); first = end) {
+    while (end < walls.size() && walls[end].object == walls[first].object) ++end;
+    cut_walls(scene, std::span(walls).subspan(first, end - first));
+  }
 }
 
 }  // namespace jalon
