@@ -17,6 +17,8 @@ namespace {
 
 constexpr size_t kRefinedPerChunk = 1 << 14;
 constexpr double kAside_m = 0.02;         // two steps from a frame tell which way is out
+constexpr double kBeforeWall_m = 0.15;    // of the axis of a downpipe from an outline
+constexpr double kBackShare = 0.25;       // of its radius, behind which its back begins
 constexpr double kAboutPlane_m = 0.07;    // within which the front of an opening is looked for
 constexpr double kShiftedPipe_m = 0.015;  // the thesis' margin about pipes is 0.02
 constexpr double kFittedPipeMargin_m = 0.01;
@@ -26,14 +28,19 @@ bool is_opening(const CodedObject& object) {
          object.shape.kind == CodeShape::Kind::kOutline;
 }
 
-// The same objects, openings with a thicker layer or none.
-CodedObjects with_openings(const CodedObjects& objects, double distance_m) {
+// The same objects, openings with a thicker layer.
+CodedObjects thickened(const CodedObjects& objects) {
   CodedObjects out{objects.origin, objects.objects, {}};
   for (CodedObject& object : out.objects)
-    if (is_opening(object)) {
-      object.row.distance_m = distance_m;
-      if (!(distance_m > 0)) object.shape.kind = CodeShape::Kind::kNone;
-    }
+    if (is_opening(object)) object.row.distance_m = kAboutPlane_m;
+  return out;
+}
+
+// Of the objects the buildings alone.
+CodedObjects buildings_of(const CodedObjects& objects) {
+  CodedObjects out{objects.origin, objects.objects, {}};
+  for (CodedObject& object : out.objects)
+    if (object.shape.kind != CodeShape::Kind::kPrism) object.shape.kind = CodeShape::Kind::kNone;
   return out;
 }
 
@@ -56,8 +63,8 @@ class Refinement {
         settings_(settings),
         about_(settings),
         task_(task),
-        thick_(with_openings(objects, kAboutPlane_m)),
-        bare_(with_openings(objects, 0)),
+        thick_(thickened(objects)),
+        bare_(buildings_of(objects)),
         near_(table, thick_, wide(about_)),
         shells_(table, bare_, settings) {}
 
@@ -73,16 +80,22 @@ class Refinement {
       if (!points[k].empty()) share(k, points[k], object_of_point);
   }
 
-  // 4. pipes: what lies on the circle, up to a margin of the fit.
+  // 4. pipes: what lies on the circle, up to five times the noise; nobody sees into a pipe, or the side of it that faces
+  // its wall.
   void pipes(const std::vector<PipePlace>& places, std::vector<uint32_t>& object_of_point) {
+    std::vector<Vec2> outward;
+    for (const PipePlace& place : places) outward.push_back(way_out(place.circle.centre));
     parallel_for(task_, cloud_.size(), kRefinedPerChunk, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i)
-        for (const PipePlace& place : places) {
+        for (size_t k = 0; k < places.size(); ++k) {
+          const PipePlace& place = places[k];
           const Vec3 p = local(i);
           const CodeShape& shape = objects_.objects[place.object].shape;
           const auto number = static_cast<uint32_t>(place.object + 1);
-          const bool is_on = p.z > shape.low_m && p.z < shape.high_m &&
-                             place.circle.distance(in_plan(p)) < kFittedPipeMargin_m;
+          const bool is_on =
+              p.z > shape.low_m && p.z < shape.high_m &&
+              std::fabs(place.circle.distance(in_plan(p))) < kFittedPipeMargin_m &&
+              dot(in_plan(p) - place.circle.centre, outward[k]) > -kBackShare * place.circle.radius;
           if (is_on) object_of_point[i] = number;
           else if (object_of_point[i] == number) object_of_point[i] = shells_.object_at(p);
         }
@@ -127,6 +140,16 @@ class Refinement {
     plane.has_outside = std::isfinite(there);
     if (there > here) plane.outward = plane.outward * -1;
     return plane;
+  }
+
+  // Away from the building before whose wall a pipe stands; zero where none is near.
+  Vec2 way_out(const Vec2& p) const {
+    if (!(std::fabs(depth_in_buildings(p)) < kBeforeWall_m)) return {};
+    const Vec2 inward{
+        depth_in_buildings(p + Vec2{kAside_m, 0}) - depth_in_buildings(p - Vec2{kAside_m, 0}),
+        depth_in_buildings(p + Vec2{0, kAside_m}) - depth_in_buildings(p - Vec2{0, kAside_m})};
+    const double length = norm(inward);
+    return length > 0 ? inward * (-1 / length) : Vec2{};
   }
 
   // How far inside the outline of the nearest building, negative outside; minus infinity without any.
