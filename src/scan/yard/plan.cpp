@@ -20,38 +20,56 @@ constexpr double kDoorPane = 0.632;   // of width and height of a leaf: 40 % of 
 constexpr uint64_t kPlanStream = 1;
 
 // Of the outlines, in the order of the survey; low and upper heights.
-const Building kBuildings[] = {
+constexpr size_t kMostCorners = 12;
+struct BuildingRow {
+  char name;
+  int sequence;
+  size_t corners;
+  double low_m, top_m;
+  std::array<Vec2, kMostCorners> outline;
+};
+constexpr BuildingRow kBuildings[] = {
     {'A',
      300,
-     {{43.987, 96.234}, {37.294, 89.327}, {59.445, 67.931}, {66.151, 74.830}},
+     4,
      246.706,
-     249.57},
+     249.57,
+     {{{43.987, 96.234}, {37.294, 89.327}, {59.445, 67.931}, {66.151, 74.830}}}},
     {'B',
      300,
-     {{74.599, 81.248}, {67.622, 87.996}, {89.098, 110.162}, {96.096, 103.448}},
+     4,
      246.728,
-     249.743},
+     249.743,
+     {{{74.599, 81.248}, {67.622, 87.996}, {89.098, 110.162}, {96.096, 103.448}}}},
     {'C',
      301,
-     {{45.254, 126.516},
-      {52.239, 119.795},
-      {56.471, 124.218},
-      {62.828, 118.145},
-      {50.100, 104.951},
-      {57.074, 98.226},
-      {78.528, 120.408},
-      {71.570, 127.164},
-      {67.312, 122.758},
-      {60.926, 128.876},
-      {73.608, 142.065},
-      {66.629, 148.777}},
+     12,
      246.706,
-     249.767},
+     249.767,
+     {{{45.254, 126.516},
+       {52.239, 119.795},
+       {56.471, 124.218},
+       {62.828, 118.145},
+       {50.100, 104.951},
+       {57.074, 98.226},
+       {78.528, 120.408},
+       {71.570, 127.164},
+       {67.312, 122.758},
+       {60.926, 128.876},
+       {73.608, 142.065},
+       {66.629, 148.777}}}},
     {'D',
      302,
-     {{88.556, 124.882}, {95.265, 131.896}, {117.501, 110.425}, {110.793, 103.458}},
+     4,
      246.778,
-     249.747}};
+     249.747,
+     {{{88.556, 124.882}, {95.265, 131.896}, {117.501, 110.425}, {110.793, 103.458}}}}};
+
+Building building_of(const BuildingRow& row) {
+  Building building{row.name, row.sequence, {}, row.low_m, row.top_m};
+  for (size_t k = 0; k < row.corners; ++k) building.outline.push_back(row.outline[k]);
+  return building;
+}
 
 // Sides are counted through all buildings, each from its corner to the next of the outline: of each opening the side,
 // whether it is a door, the number of its first surveyed point, where it begins and ends along the side, its heights,
@@ -282,7 +300,8 @@ Frame Side::front_of(const Opening& opening) const {
 Plan plan_of(const YardSettings& settings, uint64_t seed) {
   Plan plan;
   size_t number = 0;
-  for (const Building& building : kBuildings) {
+  for (const BuildingRow& row_of_building : kBuildings) {
+    const Building building = building_of(row_of_building);
     bool is_seen = false;
     for (size_t k = 0; k < building.outline.size(); ++k, ++number) {
       if (!is_built(settings.zone, building.name, k)) continue;

@@ -80,8 +80,8 @@ class Refinement {
       if (!points[k].empty()) share(k, points[k], object_of_point);
   }
 
-  // 4. pipes: what lies on the circle, up to five times the noise; nobody sees into a pipe, or the side of it that faces
-  // its wall.
+  // 4. pipes: what lies on the circle, up to five times the noise; nobody sees into a pipe, or the side of it that
+  // faces its wall.
   void pipes(const std::vector<PipePlace>& places, std::vector<uint32_t>& object_of_point) {
     std::vector<Vec2> outward;
     for (const PipePlace& place : places) outward.push_back(way_out(place.circle.centre));
