@@ -30,7 +30,7 @@ typedef struct jalon_modeller jalon_modeller;
  * - "coded_objects": what the codes of a segmentation by "survey_codes" or "target_codes" describe, as measured; names
  *   end with the code: "window 122 (361)". Buildings are closed prisms from their low point to their highest corner
  *   (parts wall, top and foot); windows and doors cut holes with reveals into the wall that they stand in, up to 1 m
- *   behind it, with a face at the frame; one that no wall holds is a face by itself. Gutters are pipes within
+ *   behind it, with joinery at the frame; one that no wall holds is a face by itself. Gutters are pipes within
  *   "chord_m" of the round. Of targets: walls and doors as the rectangles of their points, windows of a facade one each
  *   where gaps of "gap_m" part them, gutters as circles fitted in plan. JALON_ERROR_INSUFFICIENT_DATA for segments of
  *   other methods.

@@ -131,7 +131,8 @@ Corners add_coded_wall(SharedFaces& faces, const CodedWall& wall, uint32_t part,
   foot.push_back(end);
   faces.add(part, id, outline, holes);
   for (size_t k = 0; k < openings.size(); ++k) {
-    faces.add(parts[k], openings[k].opening->id, openings[k].frame);
+    const WallOpening& o = openings[k];
+    faces.add(faces.part(o.opening->name, part_class::kJoinery, parts[k]), o.opening->id, o.frame);
     add_reveals(faces, openings[k], parts[k]);
   }
   return foot;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kPaper_m = 0.002;   // a target before what it sticks on
 constexpr double kFarthest_m = 0.6;  // of a listed target from its wall, in plan
 constexpr double kInLight_m = 0.06;  // of a target's middle from the edge of its pane
-constexpr double kWindowCode = 3;
+constexpr int kWindowCode = 3;
 
 struct ListedTarget {
   int code, id;
