@@ -87,8 +87,11 @@ enum {
  * same way, or side by side. A surface that moved before or behind where it was by a tenth of its
  * size at most is a deformation, even where the piece itself moved as a whole; what changed in both
  * epochs otherwise is laid onto itself as above; of one epoch alone it has a twin within "twin_reach"
- * of its sizes or appeared or disappeared. The cost grows with the changed points. "confidence" then
- * grows with them too and is not calibrated.
+ * of its sizes or appeared or disappeared. A thing whose ends alone changed, as of one that was
+ * pushed, is made whole first. The cost grows with the changed points. "confidence" then is the
+ * probability that this did change, and in this way, overlap or not: a logistic regression on what the
+ * stations saw, on distances against threshold, noise and spacing, on shapes and on other changes
+ * nearby, fitted to scenes with truth. What is as likely wrong as right is left out: it cannot be told.
  *
  * out_forward and out_reverse, one row a point of the comparison:
  *     column   type    unit  meaning

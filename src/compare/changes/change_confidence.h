@@ -6,8 +6,10 @@
 
 namespace jalon {
 
-/// How much stands behind a change of a diagnosis by evidence, 0 ... 1: by its changed points of both epochs. Not
-/// calibrated yet: it orders changes and is no probability of their classes.
-double confidence_by_points(const Change& change, const Epoch& before, const Epoch& after);
+/// The probability that a statement of the diagnosis by evidence is right: that the thing did change, and in the way
+/// of its class, overlap or not. Logistic regression on its features.
+double confidence_of(const Change& change);
+/// More likely right than wrong.
+bool is_told(const Change& change);
 
 }  // namespace jalon

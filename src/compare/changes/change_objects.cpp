@@ -215,6 +215,13 @@ double changed_volume(const Epoch& epoch, const std::vector<uint32_t>& labels) {
   return sum;
 }
 
+ChangedObject whole_object(const Epoch& before, const Epoch& after,
+                           const std::vector<uint32_t>& changed_before,
+                           const std::vector<uint32_t>& changed_after, double tolerance_m,
+                           Task& task) {
+  return Grower(before, after, tolerance_m, task).object_of(changed_before, changed_after);
+}
+
 std::vector<ChangedObject> whole_objects(const Epoch& before, const Epoch& after,
                                          double tolerance_m, Task& task) {
   Grower grower(before, after, tolerance_m, task);

@@ -49,6 +49,13 @@ struct ChangedObject {
 std::vector<ChangedObject> single_regions(const Epoch& before, const Epoch& after,
                                           const ChangedObject& object, double cell_m);
 
+/// What hangs together with these changed points of both epochs, whole, as in whole_objects; they alone where it ends
+/// nowhere within reach. Without the labels of regions.
+ChangedObject whole_object(const Epoch& before, const Epoch& after,
+                           const std::vector<uint32_t>& changed_before,
+                           const std::vector<uint32_t>& changed_after, double tolerance_m,
+                           Task& task);
+
 /// Whole objects from changed regions (Girardeau-Montaut 2006, 3.5.4: "segmentation of the whole object"): 1. what
 /// stands unchanged and goes on beyond a region is taken away; 2. what hangs together with the region's points is the
 /// object; 3. where its unchanged points lie in the other epoch, the object of that epoch begins; both until nothing is

@@ -60,12 +60,6 @@ ChangePiece piece_of(const Epoch& epoch, const Cloud& other, const ChangeRegion&
   return out;
 }
 
-double box_gap(const Box3& a, const Box3& b) {
-  Vec3 gap;
-  for (int k = 0; k < 3; ++k) gap[k] = std::max({0.0, a.min[k] - b.max[k], b.min[k] - a.max[k]});
-  return norm(gap);
-}
-
 double gap_of(const ChangePiece& a, const ChangePiece& b) {
   double least = INFINITY;
   for (const Vec3& p : a.sample)
@@ -113,6 +107,12 @@ std::map<uint32_t, size_t> votes_of(const Epoch& epoch, const Epoch& other, uint
 }
 
 }  // namespace
+
+double box_gap(const Box3& a, const Box3& b) {
+  Vec3 gap;
+  for (int k = 0; k < 3; ++k) gap[k] = std::max({0.0, a.min[k] - b.max[k], b.min[k] - a.max[k]});
+  return norm(gap);
+}
 
 std::vector<ChangePiece> change_pieces(const Epoch& before, const Epoch& after, Task& task) {
   const size_t first = after.regions.regions.size();

@@ -23,6 +23,9 @@ struct ChangePiece {
   std::vector<Vec3> sample;
 };
 
+/// The least distance between two boxes.
+double box_gap(const Box3& a, const Box3& b);
+
 std::vector<ChangePiece> change_pieces(const Epoch& before, const Epoch& after, Task& task);
 
 /// Pieces of one change: 1. of both epochs, where one's points have their nearest in the other; 2. of one epoch, the

@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "cloud/statistics.h"
+#include "compare/changes/change_confidence.h"
 #include "compare/changes/changed_points.h"
 #include "compare/changes/evidence_diagnosis.h"
 #include "compare/changes/object_shape.h"
@@ -154,9 +155,11 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
   const double cell_m = std::max({out.before.regions.cell_m, out.after.regions.cell_m, 1e-6});
   if (has_evidence(forward, reverse)) {
     const ProgressSpan span(task, 0.3, 1, "classes");
-    out.changes = classes_by_evidence(
+    std::vector<Change> found = classes_by_evidence(
         {out.before, out.after, kToleranceShare * threshold_m, threshold_m, cell_m, {}, {}, task},
         settings.twin_reach);
+    for (Change& change : found)
+      (is_told(change) ? out.changes : out.untold).push_back(std::move(change));
     return out;
   }
   for (Epoch* epoch : {&out.before, &out.after}) drop_shadow_rims(*epoch, threshold_m, cell_m);

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "compare/changes/change_features.h"
 #include "compare/changes/change_objects.h"
 #include "compare/matching/rigid_match.h"
 
@@ -23,12 +24,16 @@ struct Change {
   ChangeClass change_class = ChangeClass::kAppearance;
   double confidence = 0;  ///< 0 ... 1
   ChangedObject object;
-  RigidMatch match;  ///< of displacements; world coordinates relative to the epochs' origin
+  RigidMatch match;      ///< of displacements; world coordinates relative to the epochs' origin
+  double explained = 0;  ///< share of its points, by one rigid motion where one was looked for
+  ChangeFeatures features{};  ///< of the diagnosis by evidence
 };
 
 struct Diagnosis {
   Epoch before, after;
   std::vector<Change> changes;
+  /// Of the diagnosis by evidence: what is as likely wrong as right. It cannot be told what happened there.
+  std::vector<Change> untold;
 };
 
 /// Parameter table of operation "diagnosis": that of the regions it starts from.

@@ -16,10 +16,12 @@ namespace {
 // Of the changed points: less than that on one side is its edge.
 constexpr double kOneSided = 0.1;
 constexpr double kMovedSurface = 0.5;  // of the points of a change: it is a surface that moved
+// Of the larger one's size, between the middles of the two ends of a thing.
+constexpr double kEndsReach = 2;
 constexpr double kEvidenceTwinShare = 0.97;  // of the points of twins explained by a motion
 
-// Below the points of two planes that share none (see SurfaceCore): at the edges of pipes chance leaves as many.
-constexpr double kLeastConfidence = 0.5;
+// The points of two planes that share none (see SurfaceCore): at the edges of pipes chance leaves fewer.
+constexpr size_t kLeastToldPoints = 64;
 
 struct Group {
   ChangedObject object;
@@ -52,6 +54,11 @@ Group group_of(const ObjectMotionJob& job, const std::vector<ChangePiece>& piece
   return out;
 }
 
+size_t changed_points_of(const Epoch& epoch, const std::vector<uint32_t>& points) {
+  return static_cast<size_t>(std::count_if(
+      points.begin(), points.end(), [&](uint32_t i) { return epoch.regions.labels[i] != 0; }));
+}
+
 Change change_of(Group&& group, ChangeClass change_class) {
   Change out;
   out.object = std::move(group.object);
@@ -59,10 +66,34 @@ Change change_of(Group&& group, ChangeClass change_class) {
   return out;
 }
 
+bool is_rigid(const Change& change) {
+  return change.change_class == ChangeClass::kDisplacement ||
+         change.change_class == ChangeClass::kDisplacementOverlap;
+}
+
+// Of a thing that was pushed only its ends changed: the middle lies where another part of it lay. So it is made whole
+// before it is laid onto itself.
+bool moved_whole(const ObjectMotionJob& job, const ChangedObject& changed, Change& out) {
+  ChangedObject whole =
+      whole_object(job.before, job.after, changed.before, changed.after, job.tolerance_m, job.task);
+  if (whole.before.empty() || whole.after.empty()) return false;
+  whole.regions_before = changed.regions_before;
+  whole.regions_after = changed.regions_after;
+  Change moved = moved_or_deformed(job, std::move(whole));
+  if (!is_rigid(moved)) return false;
+  Box3 box;
+  for (const uint32_t i : moved.object.before) box.add(job.before.local(i));
+  const double way =
+      norm(moved.match.displacement) + norm(moved.match.rotation) * norm(box.max - box.min) / 2;
+  if (way < job.threshold_m) return false;  // the whole stayed, and something on it changed
+  out = std::move(moved);
+  return true;
+}
+
 // Step 3.
 Change changed_in_both(const ObjectMotionJob& job, Group&& group) {
-  if (group.moved_share >= kMovedSurface)
-    return change_of(std::move(group), ChangeClass::kDeformationOverlap);
+  Change moved;
+  if (moved_whole(job, group.object, moved)) return moved;
   return moved_or_deformed(job, std::move(group.object));
 }
 
@@ -79,6 +110,21 @@ bool is_within_reach(const ObjectMotionJob& job, const ChangedObject& gone,
   const Vec3 from = middle(job.before, gone.before, size_gone),
              to = middle(job.after, come.after, size_come);
   return norm(to - from) <= reach * std::max(size_gone, size_come);
+}
+
+// Step 4: what went and came side by side may be the two ends of a thing.
+void pair_ends(const ObjectMotionJob& job, std::vector<Group>& gone, std::vector<Group>& come,
+               std::vector<Change>& changes) {
+  for (Group& went : gone)
+    for (Group& came : come) {
+      if (went.object.before.empty() || came.object.after.empty()) continue;
+      if (!is_within_reach(job, went.object, came.object, kEndsReach)) continue;
+      Change moved;
+      if (!moved_whole(job, joined(went.object, came.object), moved)) continue;
+      went.object = {};
+      came.object = {};
+      changes.push_back(std::move(moved));
+    }
 }
 
 // Step 4: twins, the best explained first.
@@ -134,15 +180,20 @@ std::vector<Change> classes_by_evidence(const ObjectMotionJob& job, double twin_
     }
   }
   pair_moved(job, twin_reach, gone, come, out);
+  pair_ends(job, gone, come, out);
   for (Group& group : come)
     if (!group.object.after.empty())
       out.push_back(change_of(std::move(group), ChangeClass::kAppearance));
   for (Group& group : gone)
     if (!group.object.before.empty())
       out.push_back(change_of(std::move(group), ChangeClass::kDisappearance));
-  for (Change& change : out)
-    change.confidence = confidence_by_points(change, job.before, job.after);
-  std::erase_if(out, [](const Change& change) { return change.confidence < kLeastConfidence; });
+  std::erase_if(out, [&](const Change& change) {
+    return changed_points_of(job.before, change.object.before) +
+               changed_points_of(job.after, change.object.after) <
+           kLeastToldPoints;
+  });
+  set_features(job, out);
+  for (Change& change : out) change.confidence = confidence_of(change);
   return out;
 }
 

@@ -55,6 +55,7 @@ bool overlaps(const Job& job, const ChangedObject& object, double margin_m) {
 Change moved_or_deformed(const Job& job, ChangedObject object) {
   Change out;
   out.match = match(job, object);
+  out.explained = out.match.explained;
   out.object = std::move(object);
   const bool is_rigid = out.match.found && out.match.explained >= kRigidShare;
   const bool overlap = overlaps(job, out.object, 0);

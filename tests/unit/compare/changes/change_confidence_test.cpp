@@ -4,28 +4,51 @@
 
 #include <doctest/doctest.h>
 
-#include "unit/compare/changes/epochs.h"
+#include "compare/changes/confidence_weights.h"
 
 using namespace jalon;
-using namespace jalon::test;
 
-TEST_CASE("confidence_by_points__grows_with_the_changed_points_alone") {
-  std::vector<Vec3> points;
-  for (int k = 0; k < 1000; ++k) points.push_back({0.01 * k, 0, 0});
-  const Comparison made = told(points, std::vector<double>(1000, 0.1));
-  Epoch before{&made, {}, {}}, after{&made, {}, {}};
-  before.regions.labels.assign(1000, 0);
-  after.regions.labels.assign(1000, 1);
-  after.regions.labels[0] = 0;
-  const auto of = [&](size_t n) {
-    Change change;
-    for (size_t k = 0; k < n; ++k) change.object.after.push_back(static_cast<uint32_t>(k));
-    change.object.before = change.object.after;  // unchanged there
-    return confidence_by_points(change, before, after);
-  };
-  CHECK(of(0) == 0);
-  CHECK(of(1) == 0);
-  CHECK(of(65) == doctest::Approx(0.5));
-  CHECK(of(400) > 0.85);
-  CHECK(of(1000) < 1);
+namespace {
+
+Change change_with(ChangeClass change_class, const ChangeFeatures& features) {
+  Change out;
+  out.change_class = change_class;
+  out.features = features;
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("confidence_of__is_the_logistic_of_the_weighted_features_of_its_family") {
+  ChangeFeatures features{};
+  features[kFeatureOne] = 1;
+  features[kFeatureLevels] = 2;
+  for (const ChangeClass c :
+       {ChangeClass::kAppearance, ChangeClass::kDisplacement, ChangeClass::kDeformationOverlap}) {
+    const Change change = change_with(c, features);
+    const auto& weights = kConfidenceWeights[family_of(change)];
+    const double score = weights[kFeatureOne] + 2 * weights[kFeatureLevels];
+    CHECK(confidence_of(change) == doctest::Approx(1 / (1 + std::exp(-score))));
+  }
+}
+
+TEST_CASE("confidence_of__grows_with_the_changed_points_and_falls_by_a_like_change_nearby") {
+  ChangeFeatures features{};
+  features[kFeatureOne] = 1;
+  features[kFeatureThrough] = 1;
+  features[kFeaturePoints] = 1;
+  const double few = confidence_of(change_with(ChangeClass::kAppearance, features));
+  features[kFeaturePoints] = 4;
+  const double many = confidence_of(change_with(ChangeClass::kAppearance, features));
+  CHECK(many > few);
+  features[kFeatureLike] = 1;
+  CHECK(confidence_of(change_with(ChangeClass::kAppearance, features)) < many);
+}
+
+TEST_CASE("is_told__by_a_half") {
+  Change change;
+  change.confidence = 0.5;
+  CHECK(is_told(change));
+  change.confidence = 0.49;
+  CHECK_FALSE(is_told(change));
 }

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/changes/change_features.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/parallel.h"
+#include "compare/changes/change_pieces.h"
+#include "compare/changes/object_motion.h"
+#include "compare/detection/detection.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kBesideSample =
+    200;  // points of a change that are asked for what lies beside them
+constexpr uint32_t kBesideNeighbours = 24;
+constexpr double kLikeReach = 3;  // sizes of the larger of two things that may be one
+constexpr double kRightBeside = 0.25;
+// Logarithms and ratios end here: beyond e^5 more of it tells nothing more.
+constexpr double kMostLog = 5;
+
+double limited_log(double value) {
+  return value > 0 ? std::clamp(std::log(value), -kMostLog, kMostLog) : -kMostLog;
+}
+
+/// Sums over the changed points of a statement, in both epochs.
+struct ChangedSums {
+  std::vector<double> distances;
+  size_t points = 0, through = 0;
+  Box3 box;
+  Moments moments;
+};
+
+void add_side(const Epoch& epoch, const std::vector<uint32_t>& points, ChangedSums& sums) {
+  const auto distance = epoch.comparison->points.require("distance").values<double>();
+  const auto evidence = epoch.comparison->points.require("evidence").values<uint8_t>();
+  for (const uint32_t i : points) {
+    if (epoch.regions.labels[i] == 0) continue;
+    const Vec3 p = epoch.local(i);
+    if (sums.points++ == 0) sums.moments.reference = p;
+    sums.moments.add(p);
+    sums.box.add(p);
+    sums.through += evidence[i] == static_cast<uint8_t>(ChangeEvidence::kSeenThrough) ? 1 : 0;
+    if (std::isfinite(distance[i])) sums.distances.push_back(std::abs(distance[i]));
+  }
+}
+
+/// Of the neighbours of changed points that belong to no region: which were hidden, which did not change.
+struct Beside {
+  size_t asked = 0, hidden = 0, same = 0;
+};
+
+void add_beside(const Epoch& epoch, const std::vector<uint32_t>& points, Task& task, Beside& out) {
+  if (points.empty()) return;
+  const auto tree = epoch.cloud().octree(task);
+  const auto statuses = epoch.statuses();
+  std::array<Neighbour, kBesideNeighbours> found;
+  for (size_t k = 0; k < points.size(); k += points.size() / kBesideSample + 1) {
+    if (epoch.regions.labels[points[k]] == 0) continue;
+    const size_t n = tree->knn(epoch.cloud().point(points[k]), kBesideNeighbours, found);
+    for (size_t j = 0; j < n; ++j) {
+      const uint32_t i = found[j].index;
+      ++out.asked;
+      if (epoch.regions.labels[i] != 0) continue;
+      const bool is_hidden = statuses[i] == static_cast<uint8_t>(CompareStatus::kHidden);
+      out.hidden += is_hidden ? 1 : 0;
+      out.same += is_hidden ? 0 : 1;
+    }
+  }
+}
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double share(size_t part, size_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
+}
+
+double number_of(const Comparison& comparison, const char* name) {
+  const Column* column = comparison.summary.find(name);
+  return column != nullptr && column->count() > 0 ? column->number(0) : 0;
+}
+
+// What a change is by itself; its box for what it is among others.
+Box3 set_own(const ObjectMotionJob& job, Change& change) {
+  ChangedSums sums;
+  add_side(job.before, change.object.before, sums);
+  add_side(job.after, change.object.after, sums);
+  Beside beside;
+  add_beside(job.before, change.object.before, job.task, beside);
+  add_beside(job.after, change.object.after, job.task, beside);
+  // The after cloud's points were looked for by the stations of before, and the other way round.
+  const bool asks_before = !change.object.after.empty(), asks_after = !change.object.before.empty();
+  const bool is_blind = (asks_before && !(number_of(*job.after.comparison, "stations") > 0)) ||
+                        (asks_after && !(number_of(*job.before.comparison, "stations") > 0));
+  const double noise = std::max({number_of(*job.before.comparison, "noise"),
+                                 number_of(*job.after.comparison, "noise"), 1e-9});
+  const double spacing = std::max({asks_before ? job.after.regions.spacing_m : 0,
+                                   asks_after ? job.before.regions.spacing_m : 0, 1e-9});
+  const double distance = median(sums.distances), through = share(sums.through, sums.points);
+  const Eigen3 axes = symmetric_eigen(sums.moments.covariance());
+  const double before_m2 = changed_area(job.before, change.object.regions_before),
+               after_m2 = changed_area(job.after, change.object.regions_after);
+  ChangeFeatures& f = change.features;
+  f[kFeatureOne] = 1;
+  f[kFeaturePoints] = limited_log(static_cast<double>(sums.points) / 64);
+  f[kFeatureNoStations] = is_blind ? 1 : 0;
+  f[kFeatureThrough] = is_blind ? 0 : through;
+  f[kFeatureNothingNear] = is_blind ? through : 0;
+  f[kFeatureThresholds] = limited_log(distance / job.threshold_m);
+  f[kFeatureLevels] = limited_log(distance / noise);
+  f[kFeatureSpacings] = limited_log(distance / spacing);
+  f[kFeatureExtent] =
+      sums.box.empty() ? 0 : limited_log(norm(sums.box.max - sums.box.min) / spacing);
+  f[kFeatureSlender] =
+      axes.values[2] > 0 ? std::sqrt(std::max(0.0, axes.values[1] / axes.values[2])) : 0;
+  f[kFeatureBesideHidden] = share(beside.hidden, beside.asked);
+  f[kFeatureBesideSame] = share(beside.same, beside.asked);
+  f[kFeatureBothSides] = std::max(before_m2, after_m2) > 0
+                             ? std::min(before_m2, after_m2) / std::max(before_m2, after_m2)
+                             : 0;
+  f[kFeatureExplained] = change.explained;
+  return sums.box;
+}
+
+bool are_opposite(ChangeClass a, ChangeClass b) {
+  return (a == ChangeClass::kAppearance && b == ChangeClass::kDisappearance) ||
+         (a == ChangeClass::kDisappearance && b == ChangeClass::kAppearance);
+}
+
+double area_of(const ObjectMotionJob& job, const Change& change) {
+  return changed_area(job.before, change.object.regions_before) +
+         changed_area(job.after, change.object.regions_after);
+}
+
+}  // namespace
+
+size_t family_of(const Change& change) {
+  switch (change.change_class) {
+    case ChangeClass::kAppearance:
+    case ChangeClass::kDisappearance:
+      return 0;
+    case ChangeClass::kDisplacement:
+    case ChangeClass::kDisplacementOverlap:
+      return 1;
+    default:
+      return 2;
+  }
+}
+
+void set_features(const ObjectMotionJob& job, std::vector<Change>& changes) {
+  std::vector<Box3> boxes(changes.size());
+  parallel_for(job.task, changes.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) boxes[k] = set_own(job, changes[k]);
+  });
+  for (size_t a = 0; a < changes.size(); ++a) {
+    double like = 0, near = 0;
+    for (size_t b = 0; b < changes.size(); ++b) {
+      if (a == b || boxes[a].empty() || boxes[b].empty()) continue;
+      const double size =
+          std::max(norm(boxes[a].max - boxes[a].min), norm(boxes[b].max - boxes[b].min));
+      const double gap = box_gap(boxes[a], boxes[b]);
+      if (gap <= kRightBeside * size) near = 1;
+      if (!are_opposite(changes[a].change_class, changes[b].change_class) ||
+          gap > kLikeReach * size)
+        continue;
+      const double p = area_of(job, changes[a]), q = area_of(job, changes[b]);
+      if (std::max(p, q) > 0) like = std::max(like, std::min(p, q) / std::max(p, q));
+    }
+    changes[a].features[kFeatureLike] = like;
+    changes[a].features[kFeatureNear] = near;
+  }
+}
+
+}  // namespace jalon
