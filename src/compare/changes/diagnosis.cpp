@@ -120,6 +120,14 @@ Change one_sided(const Job& job, ChangedObject object, bool is_after) {
   return out;
 }
 
+// What lies on a surface, by the noise of both where that is known.
+double tolerance_of(const Comparison& forward, const Comparison& reverse, double threshold_m) {
+  constexpr double kNoises = 4, kLeast_m = 0.002;  // the least for gentle curves between the points
+  const double noise = std::max(forward.summary.require("noise").number(0),
+                                reverse.summary.require("noise").number(0));
+  return std::min(kToleranceShare * threshold_m, kNoises * noise + kLeast_m);
+}
+
 // The nearest points of one comparison are points of the other, or none.
 void require_both_ways(const Comparison& comparison, const Comparison& other) {
   for (const uint32_t nearest : comparison.points.require("nearest").values<uint32_t>())
@@ -156,7 +164,8 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
   if (has_evidence(forward, reverse)) {
     const ProgressSpan span(task, 0.3, 1, "classes");
     std::vector<Change> found = classes_by_evidence(
-        {out.before, out.after, kToleranceShare * threshold_m, threshold_m, cell_m, {}, {}, task},
+        {out.before, out.after, tolerance_of(forward, reverse, threshold_m), threshold_m, cell_m,
+         seen_by(out.before, threshold_m, task), seen_by(out.after, threshold_m, task), task},
         settings.twin_reach);
     for (Change& change : found)
       (is_told(change) ? out.changes : out.untold).push_back(std::move(change));

@@ -16,8 +16,6 @@ namespace {
 // Of the changed points: less than that on one side is its edge.
 constexpr double kOneSided = 0.1;
 constexpr double kMovedSurface = 0.5;  // of the points of a change: it is a surface that moved
-// Of the larger one's size, between the middles of the two ends of a thing.
-constexpr double kEndsReach = 2;
 constexpr double kEvidenceTwinShare = 0.97;  // of the points of twins explained by a motion
 
 // The points of two planes that share none (see SurfaceCore): at the edges of pipes chance leaves fewer.
@@ -28,6 +26,7 @@ struct Group {
   std::vector<const ChangePiece*> pieces;
   double before_m2 = 0, after_m2 = 0;
   double moved_share = 0;
+  size_t points() const { return object.before.size() + object.after.size(); }
   bool only_after() const { return before_m2 <= kOneSided * after_m2; }
   bool only_before() const { return after_m2 <= kOneSided * before_m2; }
 };
@@ -66,34 +65,53 @@ Change change_of(Group&& group, ChangeClass change_class) {
   return out;
 }
 
-bool is_rigid(const Change& change) {
-  return change.change_class == ChangeClass::kDisplacement ||
-         change.change_class == ChangeClass::kDisplacementOverlap;
-}
-
-// Of a thing that was pushed only its ends changed: the middle lies where another part of it lay. So it is made whole
-// before it is laid onto itself.
-bool moved_whole(const ObjectMotionJob& job, const ChangedObject& changed, Change& out) {
+// Step 2: is the group a part of a thing that moved whole?
+bool moved_with(const ObjectMotionJob& job, const ChangedObject& changed, Change& out) {
   ChangedObject whole =
       whole_object(job.before, job.after, changed.before, changed.after, job.tolerance_m, job.task);
-  if (whole.before.empty() || whole.after.empty()) return false;
-  whole.regions_before = changed.regions_before;
-  whole.regions_after = changed.regions_after;
-  Change moved = moved_or_deformed(job, std::move(whole));
-  if (!is_rigid(moved)) return false;
-  Box3 box;
-  for (const uint32_t i : moved.object.before) box.add(job.before.local(i));
-  const double way =
-      norm(moved.match.displacement) + norm(moved.match.rotation) * norm(box.max - box.min) / 2;
-  if (way < job.threshold_m) return false;  // the whole stayed, and something on it changed
-  out = std::move(moved);
-  return true;
+  if (whole.supports.empty() || whole.before.empty() || whole.after.empty()) return false;
+  return moved_whole(job, std::move(whole), out);
 }
 
-// Step 3.
+size_t common(const std::vector<uint32_t>& part, const std::vector<uint32_t>& whole) {
+  return static_cast<size_t>(std::count_if(part.begin(), part.end(), [&](uint32_t i) {
+    return std::binary_search(whole.begin(), whole.end(), i);
+  }));
+}
+
+bool lies_in(const ChangedObject& part, const ChangedObject& whole) {
+  const size_t all = part.before.size() + part.after.size();
+  return 2 * (common(part.before, whole.before) + common(part.after, whole.after)) > all;
+}
+
+// Takes what such things hold out of the groups, the largest first.
+void take_moved_wholes(const ObjectMotionJob& job, std::vector<Group>& groups,
+                       std::vector<Change>& changes) {
+  std::stable_sort(groups.begin(), groups.end(),
+                   [](const Group& a, const Group& b) { return a.points() > b.points(); });
+  for (size_t k = 0; k < groups.size();) {
+    job.task.checkpoint(static_cast<double>(k) / static_cast<double>(groups.size()));
+    Change moved;
+    if (groups[k].points() < kLeastToldPoints || !moved_with(job, groups[k].object, moved)) {
+      ++k;
+      continue;
+    }
+    std::erase_if(groups, [&](const Group& group) {
+      if (!lies_in(group.object, moved.object)) return false;
+      const auto add = [](std::vector<uint32_t>& to, const std::vector<uint32_t>& from) {
+        to.insert(to.end(), from.begin(), from.end());
+      };
+      add(moved.object.regions_before, group.object.regions_before);
+      add(moved.object.regions_after, group.object.regions_after);
+      return true;
+    });
+    if (moved.object.regions_before.empty() && moved.object.regions_after.empty()) ++k;
+    else changes.push_back(std::move(moved));
+  }
+}
+
+// Step 4.
 Change changed_in_both(const ObjectMotionJob& job, Group&& group) {
-  Change moved;
-  if (moved_whole(job, group.object, moved)) return moved;
   return moved_or_deformed(job, std::move(group.object));
 }
 
@@ -110,21 +128,6 @@ bool is_within_reach(const ObjectMotionJob& job, const ChangedObject& gone,
   const Vec3 from = middle(job.before, gone.before, size_gone),
              to = middle(job.after, come.after, size_come);
   return norm(to - from) <= reach * std::max(size_gone, size_come);
-}
-
-// Step 4: what went and came side by side may be the two ends of a thing.
-void pair_ends(const ObjectMotionJob& job, std::vector<Group>& gone, std::vector<Group>& come,
-               std::vector<Change>& changes) {
-  for (Group& went : gone)
-    for (Group& came : come) {
-      if (went.object.before.empty() || came.object.after.empty()) continue;
-      if (!is_within_reach(job, went.object, came.object, kEndsReach)) continue;
-      Change moved;
-      if (!moved_whole(job, joined(went.object, came.object), moved)) continue;
-      went.object = {};
-      came.object = {};
-      changes.push_back(std::move(moved));
-    }
 }
 
 // Step 4: twins, the best explained first.
@@ -165,10 +168,10 @@ std::vector<Change> classes_by_evidence(const ObjectMotionJob& job, double twin_
   const std::vector<ChangePiece> pieces = change_pieces(job.before, job.after, job.task);
   const auto groups = group_pieces(job.before, job.after, pieces, job.cell_m, job.task);
   std::vector<Change> out;
-  std::vector<Group> gone, come;
-  for (size_t k = 0; k < groups.size(); ++k) {
-    job.task.checkpoint(static_cast<double>(k) / static_cast<double>(groups.size()));
-    Group group = group_of(job, pieces, groups[k]);
+  std::vector<Group> all, gone, come;
+  for (const auto& members : groups) all.push_back(group_of(job, pieces, members));
+  take_moved_wholes(job, all, out);
+  for (Group& group : all) {
     if (group.moved_share >= kMovedSurface) {
       out.push_back(change_of(std::move(group), ChangeClass::kDeformationOverlap));
     } else if (group.only_after()) {
@@ -180,7 +183,6 @@ std::vector<Change> classes_by_evidence(const ObjectMotionJob& job, double twin_
     }
   }
   pair_moved(job, twin_reach, gone, come, out);
-  pair_ends(job, gone, come, out);
   for (Group& group : come)
     if (!group.object.after.empty())
       out.push_back(change_of(std::move(group), ChangeClass::kAppearance));

@@ -17,6 +17,10 @@ using Job = ObjectMotionJob;
 // Of the points explained by one motion: scanned again after a rigid one 98 to 99.8 % were, of a beam of 3 m bent by
 // 0.25 m up to 88 %.
 constexpr double kRigidShare = 0.93;
+// Of a whole thing and of what changed of it: points by its edges find planes round the corner, of few points many do.
+constexpr double kWholeShare = 0.75, kChangedShare = 0.75;
+constexpr double kChangedOfAll = 0.5;
+constexpr size_t kFewChanged = 30;
 constexpr double kSizeRatio =
     1.5;  // between the extents of twins: one epoch may see less of it than the other
 constexpr double kSizeCells = 4;
@@ -42,6 +46,35 @@ RigidMatch match(const Job& job, const ChangedObject& object) {
   return match_rigidly(before, after, match_setting(job, object), job.task);
 }
 
+std::vector<Vec3> changed_of(const Epoch& epoch, const std::vector<uint32_t>& points) {
+  std::vector<Vec3> out;
+  for (const uint32_t i : points)
+    if (epoch.regions.labels[i] != 0) out.push_back(epoch.local(i));
+  return out;
+}
+
+// What was behind a dent could not be seen before: of all changed points, seen or not, some must be explained.
+bool is_mostly_on(const LaidOn& laid, size_t all) {
+  return all < kFewChanged ||
+         (laid.share() >= kChangedShare &&
+          static_cast<double>(laid.on) >= kChangedOfAll * static_cast<double>(all));
+}
+
+// A stack that lost its upmost box did not sink into the floor.
+bool goes_through_support(const Job& job, const ChangedObject& whole, const Transform& motion) {
+  const std::vector<Vec3> points = job.before_of(whole);
+  Vec3 middle;
+  for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
+  return std::any_of(whole.supports.begin(), whole.supports.end(), [&](const Support& support) {
+    const double side = support.plane.distance(middle) > 0 ? 1 : -1;
+    const auto behind = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
+      return side * support.plane.distance(motion.point(p)) <
+             -support.tolerance_m - job.tolerance_m;
+    });
+    return static_cast<double>(behind) > kDiagnosisInsideShare * static_cast<double>(points.size());
+  });
+}
+
 }  // namespace
 
 bool overlaps(const Job& job, const ChangedObject& object, double margin_m) {
@@ -50,6 +83,29 @@ bool overlaps(const Job& job, const ChangedObject& object, double margin_m) {
   const auto inside = static_cast<double>(std::count_if(
       after.begin(), after.end(), [&](const Vec3& p) { return box.contains(p, margin_m); }));
   return inside > kDiagnosisInsideShare * static_cast<double>(after.size());
+}
+
+bool moved_whole(const Job& job, ChangedObject whole, Change& out) {
+  const MatchSurface before(job.before_of(whole), job.task), after(job.after_of(whole), job.task);
+  const RigidMatch found = match_rigidly(before, after, match_setting(job, whole), job.task);
+  if (!found.found || found.explained < kWholeShare) return false;
+  const double way = norm(found.displacement) +
+                     norm(found.rotation) * norm(before.box().max - before.box().min) / 2;
+  if (way < job.threshold_m) return false;  // the whole stayed, and something on it changed
+  if (goes_through_support(job, whole, found.motion)) return false;
+  const std::vector<Vec3> gone = changed_of(job.before, whole.before),
+                          come = changed_of(job.after, whole.after);
+  const LaidOn forth =
+      laid_on(gone, found.motion, after, job.seen_after, job.tolerance_m, job.task);
+  const LaidOn back =
+      laid_on(come, inverse(found.motion), before, job.seen_before, job.tolerance_m, job.task);
+  if (!is_mostly_on(forth, gone.size()) || !is_mostly_on(back, come.size())) return false;
+  out.match = found;
+  out.explained = found.explained;
+  out.object = std::move(whole);
+  out.change_class =
+      overlaps(job, out.object, 0) ? ChangeClass::kDisplacementOverlap : ChangeClass::kDisplacement;
+  return true;
 }
 
 Change moved_or_deformed(const Job& job, ChangedObject object) {

@@ -79,47 +79,20 @@ Transform iterated(const std::vector<Vec3>& sample, const MatchSurface& before,
   return model.motion();
 }
 
-struct Share {
-  size_t on = 0, all = 0;
-  Share& operator+=(const Share& b) {
-    on += b.on;
-    all += b.all;
-    return *this;
-  }
-  double value() const { return all > 0 ? static_cast<double>(on) / static_cast<double>(all) : 0; }
-};
-
-// Moved points that lie on the surface, of those that could have been seen where they came to lie.
-Share share_on(const std::vector<Vec3>& points, const Transform& motion,
-               const MatchSurface& surface, const SeenTest& seen, double tolerance_m, Task& task) {
-  return parallel_reduce(task, points.size(), 512, Share{}, [&](size_t begin, size_t end) {
-    Share part;
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 moved = motion.point(points[i]);
-      PlanePair pair{points[i], {}, {}};
-      const bool on = lies_on(surface, moved, tolerance_m, pair);
-      if (!on && seen && !seen(moved)) continue;
-      ++part.all;
-      part.on += on ? 1 : 0;
-    }
-    return part;
-  });
-}
-
 double explained_by(const Transform& motion, const std::vector<Vec3>& of_before,
                     const std::vector<Vec3>& of_after, const MatchSurface& before,
                     const MatchSurface& after, const MatchSetting& setting, Task& task) {
-  const Share forth =
-      share_on(of_before, motion, after, setting.seen_after, setting.tolerance_m, task);
-  const Share back =
-      share_on(of_after, inverse(motion), before, setting.seen_before, setting.tolerance_m, task);
+  const LaidOn forth =
+      laid_on(of_before, motion, after, setting.seen_after, setting.tolerance_m, task);
+  const LaidOn back =
+      laid_on(of_after, inverse(motion), before, setting.seen_before, setting.tolerance_m, task);
   // Where most of it could not have been seen, nothing says that it is there.
-  const auto is_judged = [](const Share& share, size_t n) {
+  const auto is_judged = [](const LaidOn& share, size_t n) {
     return static_cast<double>(share.all) >= kJudged * static_cast<double>(n);
   };
   if (!is_judged(forth, of_before.size()) || !is_judged(back, of_after.size())) return 0;
   // A large part of one that lies on a small part of the other is no match: the worse direction counts.
-  return std::min(forth.value(), back.value());
+  return std::min(forth.share(), back.share());
 }
 
 double size_of(const Transform& motion, const MatchSurface& before) {
@@ -157,6 +130,22 @@ void adjust_motion(const MatchSurface& before, const MatchSurface& after,
 }
 
 }  // namespace
+
+LaidOn laid_on(const std::vector<Vec3>& points, const Transform& motion,
+               const MatchSurface& surface, const SeenTest& seen, double tolerance_m, Task& task) {
+  return parallel_reduce(task, points.size(), 512, LaidOn{}, [&](size_t begin, size_t end) {
+    LaidOn part;
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 moved = motion.point(points[i]);
+      PlanePair pair{points[i], {}, {}};
+      const bool on = lies_on(surface, moved, tolerance_m, pair);
+      if (!on && seen && !seen(moved)) continue;
+      ++part.all;
+      part.on += on ? 1 : 0;
+    }
+    return part;
+  });
+}
 
 RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after,
                          const MatchSetting& setting, Task& task) {

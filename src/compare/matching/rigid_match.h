@@ -37,4 +37,17 @@ struct RigidMatch {
 RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after,
                          const MatchSetting& setting, Task& task);
 
+/// Of points that a motion moves: how many come to lie on a surface, of those that could have been seen there.
+struct LaidOn {
+  size_t on = 0, all = 0;
+  LaidOn& operator+=(const LaidOn& b) {
+    on += b.on;
+    all += b.all;
+    return *this;
+  }
+  double share() const { return all > 0 ? static_cast<double>(on) / static_cast<double>(all) : 0; }
+};
+LaidOn laid_on(const std::vector<Vec3>& points, const Transform& motion,
+               const MatchSurface& surface, const SeenTest& seen, double tolerance_m, Task& task);
+
 }  // namespace jalon
