@@ -12,6 +12,8 @@ namespace jalon {
 namespace {
 
 constexpr int kWidenings = 6;  // of the window around a region ...
+// For one change: where it was pushed most of it changed, and looking farther costs what the whole cloud does.
+constexpr int kWideningsOfOne = 1;
 constexpr double kWidening =
     1.5;  // ... each by this: objects up to eleven times the size of their change
 constexpr double kWindow = 0.5;     // first margin in diagonals of the region
@@ -88,10 +90,11 @@ void add_counterparts(const Epoch& epoch, const Indices& object, Indices& seeds)
 
 class Grower {
  public:
-  Grower(const Epoch& before, const Epoch& after, double tolerance_m, Task& task)
+  Grower(const Epoch& before, const Epoch& after, double tolerance_m, int widenings, Task& task)
       : before_(before),
         after_(after),
         tolerance_m_(tolerance_m),
+        widenings_(widenings),
         cell_m_(cell_of(before, after)),
         task_(task) {}
 
@@ -103,7 +106,7 @@ class Grower {
     for (const uint32_t i : seeds_after) change.add(after_.local(i));
     Box3 window =
         widened(change, std::max(kWindow * norm(change.max - change.min), kWindowCells * cell_m_));
-    for (int k = 0; k <= kWidenings; ++k) {
+    for (int k = 0; k <= widenings_; ++k) {
       fill(window, change, seeds_before, seeds_after, out);
       if (!reaches_edge(before_, out.before, window, cell_m_) &&
           !reaches_edge(after_, out.after, window, cell_m_))
@@ -154,7 +157,9 @@ class Grower {
   }
 
   const Epoch &before_, &after_;
-  double tolerance_m_, cell_m_;
+  double tolerance_m_;
+  int widenings_;
+  double cell_m_;
   Task& task_;
 };
 
@@ -219,12 +224,13 @@ ChangedObject whole_object(const Epoch& before, const Epoch& after,
                            const std::vector<uint32_t>& changed_before,
                            const std::vector<uint32_t>& changed_after, double tolerance_m,
                            Task& task) {
-  return Grower(before, after, tolerance_m, task).object_of(changed_before, changed_after);
+  return Grower(before, after, tolerance_m, kWideningsOfOne, task)
+      .object_of(changed_before, changed_after);
 }
 
 std::vector<ChangedObject> whole_objects(const Epoch& before, const Epoch& after,
                                          double tolerance_m, Task& task) {
-  Grower grower(before, after, tolerance_m, task);
+  Grower grower(before, after, tolerance_m, kWidenings, task);
   std::vector<uint8_t> done_before(before.regions.regions.size(), 0),
       done_after(after.regions.regions.size(), 0);
   std::vector<ChangedObject> out;

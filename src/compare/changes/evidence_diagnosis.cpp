@@ -18,6 +18,9 @@ constexpr double kOneSided = 0.1;
 constexpr double kMovedSurface = 0.5;  // of the points of a change: it is a surface that moved
 constexpr double kEvidenceTwinShare = 0.97;  // of the points of twins explained by a motion
 
+// What moved whole has points in both epochs, if not as many, and much of it changed: what does not costs no search.
+constexpr double kLikeCount = 0.25, kChangedOfWhole = 0.1;
+
 // The points of two planes that share none (see SurfaceCore): at the edges of pipes chance leaves fewer.
 constexpr size_t kLeastToldPoints = 64;
 
@@ -69,7 +72,12 @@ Change change_of(Group&& group, ChangeClass change_class) {
 bool moved_with(const ObjectMotionJob& job, const ChangedObject& changed, Change& out) {
   ChangedObject whole =
       whole_object(job.before, job.after, changed.before, changed.after, job.tolerance_m, job.task);
-  if (whole.supports.empty() || whole.before.empty() || whole.after.empty()) return false;
+  if (whole.supports.empty()) return false;
+  const auto was = static_cast<double>(whole.before.size()),
+             is = static_cast<double>(whole.after.size());
+  const auto part = static_cast<double>(changed.before.size() + changed.after.size());
+  if (std::min(was, is) < kLikeCount * std::max(was, is) || part < kChangedOfWhole * (was + is))
+    return false;
   return moved_whole(job, std::move(whole), out);
 }
 

@@ -19,6 +19,7 @@
 #include "base/simd.h"
 #include "spatial/neighbours/exact_knn.h"
 #include "spatial/neighbours/knn_kernel.h"
+#include "spatial/neighbours/nearest_by_grid.h"
 #include "spatial/octree/impl.h"
 
 namespace jalon {
@@ -39,8 +40,6 @@ constexpr size_t kKnnBatchMostClose = 8;
 struct KnnBatchKernels {
   bool (*gather)(const OctreeView&, const GridBox&, Candidates&);
   void (*search)(const Candidates&, KnnGroup&);
-  void (*nearest)(const OctreeView&, const int32_t* query, uint32_t size, float* squared,
-                  uint32_t* position);
 };
 
 class BatchSearch {
@@ -267,22 +266,9 @@ class BatchSearch {
     }
   }
 
-  // The k nearest by single precision on the grid; false when that cannot order them.
-  bool nearest_by_grid(size_t position, uint32_t* to) const {
-    float squared[257];
-    uint32_t found[257];
-    const int32_t query[3] = {tree_.x[position], tree_.y[position], tree_.z[position]};
-    kernels_.nearest(tree_.view, query, k_ + 1, squared, found);
-    const float floor =
-        tree_.on_grid ? 0 : 7 * std::sqrt(squared[k_ - 1]) + 13;  // as in set_tolerances
-    for (uint32_t j = 0; j < k_; ++j)
-      if (!(squared[j + 1] - squared[j] > squared[j + 1] * 0x1p-20f + floor)) return false;
-    std::copy_n(found, k_, to);
-    return true;
-  }
-
   void answer_one(size_t position, uint32_t* to, float* to_squared) const {
-    if (tree_.has_exact_boxes() || !nearest_by_grid(position, to))
+    const int32_t query[3] = {tree_.x[position], tree_.y[position], tree_.z[position]};
+    if (tree_.has_exact_boxes() || !nearest_by_grid(tree_, query, tree_.on_grid, k_, to))
       tree_.nearest_of_point(position, k_, to);
     measure(position, to, to_squared);
   }
@@ -321,9 +307,8 @@ void Octree::knn_batches(uint32_t k, Task& task, void (*visit)(void*, const Batc
                          void* context) const {
   if (k < 1 || k > 256) fail(Status::kInvalidArgument, "k is %u; 1 ... 256 are possible", k);
   const KnnBatchKernels kernels =
-      use_avx2() ? KnnBatchKernels{gather_candidates_avx2, knn_group_avx2, nearest_on_grid_avx2}
-                 : KnnBatchKernels{gather_candidates_baseline, knn_group_baseline,
-                                   nearest_on_grid_baseline};
+      use_avx2() ? KnnBatchKernels{gather_candidates_avx2, knn_group_avx2}
+                 : KnnBatchKernels{gather_candidates_baseline, knn_group_baseline};
   constexpr size_t kLeavesAtOnce = 128;
   parallel_for(task, impl_->leaves, kLeavesAtOnce, [&](size_t begin, size_t end) {
     const size_t first = impl_->leaf_first[begin], count = impl_->leaf_first[end] - first;

@@ -99,6 +99,9 @@ struct Octree::Impl {
   /// Sorted positions of the k <= 256 nearest points of a point, itself included, filled up with kNoPoint.
   void nearest_of_point(size_t position, uint32_t k, uint32_t* neighbours) const;
 
+  /// Sorted positions of the k nearest points of a place, nearest first, ties by index; how many there are.
+  size_t nearest_of_place(const Vec3& q, size_t k, uint32_t* positions) const;
+
   /// The sorted position of the point nearest to a place, of equally near ones that of the smallest index; kNoPoint
   /// when none is within the root of squared_reach (m^2).
   uint32_t nearest_position(const Vec3& q, double squared_reach) const;

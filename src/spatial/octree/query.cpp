@@ -150,24 +150,22 @@ void Octree::Impl::nearest_of_point(size_t position, uint32_t k, uint32_t* neigh
   for (size_t j = 0; j < k; ++j) neighbours[j] = j < found ? heap[j].position : kNoPoint;
 }
 
+size_t Octree::Impl::nearest_of_place(const Vec3& q, size_t k, uint32_t* positions) const {
+  constexpr size_t kOnStack = 64;
+  Found small[kOnStack];
+  std::vector<Found> large(k > kOnStack ? std::min(k, count) : 0);
+  Found* heap = k > kOnStack ? large.data() : small;
+  const size_t found = nearest(*this, q, k, heap);
+  for (size_t j = 0; j < found; ++j) positions[j] = heap[j].position;
+  return found;
+}
+
 uint32_t Octree::Impl::nearest_position(const Vec3& q, double squared_reach) const {
   Found found;
   return nearest(*this, q, 1, &found, squared_reach) == 0 ? kNoPoint : found.position;
 }
 
 namespace {
-
-// take(Found) for each of the k nearest, nearest first.
-template <class Take>
-size_t for_each_of_nearest(const Octree::Impl& tree, const Vec3& q, uint32_t k, Take take) {
-  constexpr size_t kOnStack = 64;
-  Found small[kOnStack];
-  std::vector<Found> large(k > kOnStack ? std::min<size_t>(k, tree.count) : 0);
-  Found* heap = k > kOnStack ? large.data() : small;
-  const size_t found = nearest(tree, q, k, heap);
-  for (size_t j = 0; j < found; ++j) take(j, heap[j]);
-  return found;
-}
 
 // found(position, exact squared distance) for the points in the ball.
 template <class Take>
@@ -193,12 +191,6 @@ void sort_by_index(std::vector<Neighbour>& points) {
 
 }  // namespace
 
-size_t Octree::knn(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
-  return for_each_of_nearest(*impl_, q, k, [&](size_t j, const Found& f) {
-    out[j] = {f.squared, f.index};
-  });
-}
-
 bool Octree::nearest_within(const Vec3& q, double radius, Neighbour& out) const {
   Found found;
   if (!(radius >= 0) || nearest(*impl_, q, 1, &found, radius * radius) == 0 ||
@@ -206,12 +198,6 @@ bool Octree::nearest_within(const Vec3& q, double radius, Neighbour& out) const 
     return false;
   out = {found.squared, found.index};
   return true;
-}
-
-size_t Octree::knn_positions(const Vec3& q, uint32_t k, std::span<Neighbour> out) const {
-  return for_each_of_nearest(*impl_, q, k, [&](size_t j, const Found& f) {
-    out[j] = {f.squared, f.position};
-  });
 }
 
 void Octree::radius(const Vec3& q, double radius, std::vector<Neighbour>& out) const {
