@@ -76,6 +76,12 @@
  * - glTF 2.0 (glb), written: a node for each part with name, and class, evidence and measures as "extras"; faces as
  *   triangles in the colour of their class, openings that are holes as outlines. Coordinates are float32 from a whole
  *   metre that the root node's matrix and its "origin_m" tell.
+ * - IFC4 (ifc), written: project, site, buildings with a storey each; IfcWall with IfcOpeningElements that void it,
+ *   IfcWindow and IfcDoor that fill those with the joinery measured in them, IfcRoof, terrain, all else as proxies
+ *   of its class; facades as IfcGroups. Walls are the measured surfaces with their holes, or, with
+ *   "ifc_wall_thickness_m", solids behind them that the openings cut. The property set "Jalon_Precision" has evidence,
+ *   confidence, sigma and measures, "Jalon_Measured" area and volume. A CRS with an EPSG code in metres becomes the map
+ *   conversion. Equal models give equal bytes.
  * - OBJ (obj), written and read: faces as polygons and triangles, openings stay open; outlines as lines; the tree of
  *   parts in comments that other programs pass over, so that our own files come back with faces, holes, parts and
  *   solids. Files of others are meshes with groups as parts, or a face for each polygon ("polygons" = "faces").

@@ -50,4 +50,11 @@ bool measure_face(Model& model, Face& face) {
   return true;
 }
 
+Vec3 whole_metre_corner(const Model& model) {
+  Box3 box;
+  for (const Vec3& p : model.vertices) box.add(p);
+  if (box.empty()) return {};
+  return {std::floor(box.min.x), std::floor(box.min.y), std::floor(box.min.z)};
+}
+
 }  // namespace jalon

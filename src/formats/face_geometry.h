@@ -19,4 +19,7 @@ Vec3 twice_area(const Model& model, std::span<const uint32_t> ring, const Vec3& 
 /// Holes are turned to run clockwise. False, and nothing set, when the outline has no area.
 bool measure_face(Model& model, Face& face);
 
+/// The corner of the model's box at whole metres below, from which files of short numbers count; zero for an empty one.
+Vec3 whole_metre_corner(const Model& model);
+
 }  // namespace jalon

@@ -111,7 +111,7 @@ constexpr auto kWriteRows = setting_rows(
         "decimals", -1, 17, "", "text",
         "Decimals of the coordinates; -1: as many as give the same number back"),
     number_row<&WriteSettings::chord_error_m>(
-        "chord_error_m", 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf,glb",
+        "chord_error_m", 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf,glb,ifc",
         "Largest distance of the chords that stand for an arc, where a format knows no arcs"),
     choice_row<&WriteSettings::dxf_version>(
         "dxf_version", "r12|r2000", "dxf",
@@ -125,7 +125,12 @@ constexpr auto kWriteRows = setting_rows(
         "binary: float32, less whole metres that its header names where coordinates are large; "
         "ascii: exact coordinates, a solid for each part"),
     number_row<&WriteSettings::city_scale_m>("city_scale_m", 1e-9, 1, "m", "cityjson",
-                                             "Step of the stored coordinates"));
+                                             "Step of the stored coordinates"),
+    number_row<&WriteSettings::ifc_wall_thickness_m>(
+        "ifc_wall_thickness_m", 0, 10, "m", "ifc",
+        "Walls as solids of this thickness behind their measured surfaces, cut by their openings; "
+        "0: the surfaces alone, "
+        "with holes, since a scan of the outside tells no thickness"));
 
 }  // namespace
 

@@ -14,6 +14,7 @@
 #include "formats/files/byte_source.h"
 #include "formats/geojson/geojson.h"
 #include "formats/glb/glb.h"
+#include "formats/ifc/ifc.h"
 #include "formats/las/las.h"
 #include "formats/obj/obj.h"
 #include "formats/pcd/pcd.h"
@@ -173,6 +174,7 @@ inline constexpr Format kFormats[] = {
      .extensions = "geojson",
      .write_model = write_geojson},
     {.name = "glTF", .keyword = "glb", .extensions = "glb", .write_model = write_glb},
+    {.name = "IFC", .keyword = "ifc", .extensions = "ifc", .write_model = write_ifc},
     {.name = "SVG", .keyword = "", .extensions = "svg", .is_drawing = true},
 };
 

@@ -38,6 +38,7 @@ struct WriteSettings {
   DxfView dxf_view = DxfView::kWorld;
   StlForm stl_format = StlForm::kBinary;
   double city_scale_m = 0.0001;
+  double ifc_wall_thickness_m = 0;  ///< 0 = the measured surfaces
 };
 
 }  // namespace jalon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Writes the house of the unit tests in every format, and its tables as model.json: house_files FOLDER
 #include <cstdio>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/json_writer.h"
@@ -64,12 +65,16 @@ void write_all(const Model& model, const std::string& folder) {
       {"binary.stl", "stl_format", "binary"},
       {"ascii.stl", "stl_format", "ascii"},
       {"model.ply", nullptr, nullptr},
+      {"model.ifc", nullptr, nullptr},
+      {"solid.ifc", nullptr, nullptr},
   };
   Task task;
   for (const File& file : kFiles) {
     ParamSet options("write", write_rows());
     if (file.option != nullptr) options.set_text(file.option, file.value);
-    write_model(model, folder + "/" + file.name, settings_from<WriteSettings>(options), task);
+    auto settings = settings_from<WriteSettings>(options);
+    if (std::string_view(file.name) == "solid.ifc") settings.ifc_wall_thickness_m = 0.3;
+    write_model(model, folder + "/" + file.name, settings, task);
   }
   AtomicFile json(folder + "/model.json");
   json.write(tables(model));

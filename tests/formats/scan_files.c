@@ -3,6 +3,7 @@
 /* Models a scan and writes the model in every format, and its tables as model.json: scan_files SCAN METHOD FOLDER; or
  * outlines of what changed since an earlier scan: scan_files SCAN changes FOLDER EARLIER_SCAN */
 #include <stdio.h>
+#include <string.h>
 #include <stdlib.h>
 
 #include <jalon/jalon.h>
@@ -67,6 +68,8 @@ static void write_one(const jalon_model* model, const char* folder, const char* 
   snprintf(path, sizeof path, "%s/%s", folder, name);
   must(jalon_params_create("write", &options));
   if (option != NULL) must(jalon_params_set_string(options, option, value));
+  if (strcmp(name, "solid.ifc") == 0)
+    must(jalon_params_set_double(options, "ifc_wall_thickness_m", 0.3));
   must(jalon_model_write(model, path, options, NULL));
   jalon_params_release(options);
 }
@@ -182,7 +185,9 @@ int main(int argc, char** argv) {
                                           {"model.obj", NULL, NULL},
                                           {"binary.stl", "stl_format", "binary"},
                                           {"ascii.stl", "stl_format", "ascii"},
-                                          {"model.ply", NULL, NULL}};
+                                          {"model.ply", NULL, NULL},
+                                          {"model.ifc", NULL, NULL},
+                                          {"solid.ifc", NULL, NULL}};
   if (argc != 4 && argc != 5) return 2;
   jalon_model* model = argc == 5 ? changes_between(argv[4], argv[1]) : model_of(argv[1], argv[2]);
   for (size_t i = 0; i < sizeof kFiles / sizeof *kFiles; ++i)

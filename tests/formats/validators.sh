@@ -120,6 +120,25 @@ if [ -n "$gltf" ]; then
   done
   check_glb "${files[@]}"
 fi
+# IFC by ifcopenshell, in the long run: its installation is large.
+if [ -n "${JALON_FULL:-}" ]; then
+  bim=$build/bim
+  [ -x "$bim/bin/python" ] && "$bim/bin/python" -c "import ifcopenshell, numpy, pytest" 2>/dev/null ||
+    { python3 -m venv "$bim" && "$bim/bin/pip" install --disable-pip-version-check ifcopenshell numpy pytest; } >>"$log" 2>&1
+  if "$bim/bin/python" -c "import ifcopenshell, numpy, pytest" 2>/dev/null; then
+    for name in house facade arches solids outlines; do
+      "$bim/bin/python" "$here/check_ifc.py" "$name" "$work/$name" >"$work/ifc"
+      sed -E 's/^[0-9]+ passed, /  &/' "$work/ifc"
+      if [[ $(tail -n 1 "$work/ifc") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
+        passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
+      else
+        failed=$((failed + 1)); echo "not ok - $name: the checks of IFC did not end"
+      fi
+    done
+  else
+    miss ifcopenshell
+  fi
+fi
 changed() { "$programs/scan_files" "$work/day4.las" changes "$1" "$work/day1.las"; }
 check changes changed
 finish

@@ -85,13 +85,6 @@ class Meshes {
 
 }  // namespace
 
-Vec3 origin_of(const Model& model) {
-  Box3 box;
-  for (const Vec3& p : model.vertices) box.add(p);
-  if (box.empty()) return {};
-  return {std::floor(box.min.x), std::floor(box.min.y), std::floor(box.min.z)};
-}
-
 std::vector<Mesh> meshes_of(const Model& model, const Vec3& origin, Task& task) {
   Meshes meshes(model, origin);
   for (size_t f = 0; f < model.faces.size(); ++f) {

@@ -26,9 +26,8 @@ struct Mesh {
   bool empty() const { return corners.empty() && outline_ends.empty(); }
 };
 
-/// The model's whole-metre corner, from which float32 counts.
-Vec3 origin_of(const Model& model);
-/// One mesh for each part that has something to show, in their order, then the loose triangles. No arcs are left in it.
+/// One mesh for each part that has something to show, in their order, then the loose triangles. float32 counts from
+/// the origin. No arcs are left in the model.
 std::vector<Mesh> meshes_of(const Model& model, const Vec3& origin, Task& task);
 
 }  // namespace jalon::glb

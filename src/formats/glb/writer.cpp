@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/json_writer.h"
+#include "formats/face_geometry.h"
 #include "formats/files/atomic_file.h"
 #include "formats/files/endian.h"
 #include "formats/files/utf8.h"
@@ -119,7 +120,9 @@ void write_known(JsonWriter& json, const char* name, double value) {
 class Writer {
  public:
   Writer(const Model& model, Task& task)
-      : model_(model), origin_(origin_of(model)), meshes_(meshes_of(model, origin_, task)) {}
+      : model_(model),
+        origin_(whole_metre_corner(model)),
+        meshes_(meshes_of(model, origin_, task)) {}
 
   std::string json() {
     number_nodes();

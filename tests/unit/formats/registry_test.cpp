@@ -45,7 +45,7 @@ TEST_CASE("registry__choices_of_the_options_are_the_formats_that_have_the_functi
   CHECK(std::string(read_rows()[0].choices) ==
         "auto|laz|e57|las|ply|pcd|ptx|pts|text|obj|stl|cityjson");
   CHECK(std::string(write_rows()[0].choices) ==
-        "auto|laz|e57|las|ply|pcd|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb");
+        "auto|laz|e57|las|ply|pcd|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc");
 }
 
 TEST_CASE("registry__every_choice_reads_or_writes_something") {
@@ -76,7 +76,7 @@ TEST_CASE("registry__abilities_follow_from_the_functions") {
                      "OBJ: obj: model read write", "STL: stl: model read write",
                      "CityJSON: city.json cityjson json: model read write", "DXF: dxf: model write",
                      "GeoJSON: geojson: model write", "glTF: glb: model write",
-                     "SVG: svg: drawing write"});
+                     "IFC: ifc: model write", "SVG: svg: drawing write"});
 }
 
 TEST_CASE("registry__rows_are_whole") {
@@ -91,7 +91,8 @@ TEST_CASE("registry__rows_are_whole") {
 }
 
 TEST_CASE("registry__messages_list_what_the_rows_can") {
-  CHECK(refusal("a.dxf", "0\nSECTION\n", true) == "DXF, GeoJSON and glTF are written, not read");
+  CHECK(refusal("a.dxf", "0\nSECTION\n", true) ==
+        "DXF, GeoJSON, glTF and IFC are written, not read");
   CHECK(refusal("a", "\x01\x02", false) ==
         "neither LAZ, E57, LAS, PLY, PCD, PTX, PTS, OBJ, STL, CityJSON nor text");
   CHECK(refusal("a.obj", "v 0 0 0\n", false) == "OBJ, STL and CityJSON hold a model, no cloud");
@@ -103,7 +104,7 @@ TEST_CASE("registry__messages_list_what_the_rows_can") {
         "xyz, txt, asc, csv");
   CHECK(refusal_to_write("a.svg", true) ==
         "no format of extension \"svg\" can be written; there are: ply, obj, stl, city.json, "
-        "cityjson, json, dxf, geojson, glb");
+        "cityjson, json, dxf, geojson, glb, ifc");
 }
 
 TEST_CASE("registry__content_with_a_mark_outweighs_the_name_and_a_name_weaker_signs") {

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "formats/face_geometry.h"
+
 using namespace jalon;
 
 namespace {
@@ -37,7 +39,7 @@ TEST_CASE("glb_meshes__a_wall_with_a_hole_keeps_its_area_and_the_opening_is_an_o
                   {o + Vec3{1, 0, 1}, o + Vec3{1, 0, 2}, o + Vec3{2, 0, 2}, o + Vec3{2, 0, 1}}});
   model.rings[1].part = 1;
   Task task;
-  const Vec3 origin = glb::origin_of(model);
+  const Vec3 origin = whole_metre_corner(model);
   CHECK(origin == Vec3{652000, 6861000, 100});
   const auto meshes = glb::meshes_of(model, origin, task);
   REQUIRE(meshes.size() == 2);
