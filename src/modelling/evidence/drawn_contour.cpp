@@ -285,14 +285,38 @@ std::vector<PolygonWithHoles> without(const Chain& region, std::vector<PolygonWi
   return left;
 }
 
+// What an opening takes, with room around it. A hole of the contour that draws it may reach beyond its shape.
+void add_taken(const DrawnShape& drawn, double spacing_m, std::vector<PolygonWithHoles>& out) {
+  const double room = kBesideOpening * spacing_m;
+  out.push_back({polygon_of(drawn.shape.grown(room), spacing_m), {}});
+  if (drawn.hole.empty()) return;
+  const Chain hole = reversed_chain(drawn.hole);
+  out.push_back({hole, {}});
+  for (const Vec2& p : dense(hole, spacing_m))
+    out.push_back(box_polygon(p.u - room, p.v - room, p.u + room, p.v + room));
+}
+
+std::vector<PolygonWithHoles> those_meeting(const Chain& hole,
+                                            std::span<const PolygonWithHoles> polygons) {
+  RingBox around;
+  around.add(hole);
+  std::vector<PolygonWithHoles> out;
+  for (const PolygonWithHoles& polygon : polygons) {
+    RingBox box;
+    box.add(polygon.outline);
+    if (box.meets(around)) out.push_back(polygon);
+  }
+  return out;
+}
+
 // Step 4.
 void add_unseen(const ContourPiece& piece, std::span<const DrawnShape> shapes, double spacing_m,
                 const ContourSetting& setting, std::vector<ContourPiece>& out) {
   std::vector<PolygonWithHoles> beside;
-  for (const DrawnShape& drawn : shapes)
-    beside.push_back({polygon_of(drawn.shape.grown(kBesideOpening * spacing_m), spacing_m), {}});
+  for (const DrawnShape& drawn : shapes) add_taken(drawn, spacing_m, beside);
   for (const Chain& hole : piece.openings) {
-    for (const PolygonWithHoles& left : without(reversed_chain(hole), beside, spacing_m)) {
+    for (const PolygonWithHoles& left :
+         without(reversed_chain(hole), those_meeting(hole, beside), spacing_m)) {
       const double area = signed_area(left.outline);
       if (area < setting.min_opening_area_m2 ||
           equivalent_width(area, perimeter(left.outline)) < setting.min_opening_width_m)

@@ -86,3 +86,29 @@ TEST_CASE("drawn_contour__keeps_a_hole_where_nothing_was_measured_and_goes_on_ov
   REQUIRE(relief.pieces.size() == 1);
   CHECK(relief.pieces[0].openings.size() == 1);
 }
+
+TEST_CASE("drawn_contour__what_was_not_measured_never_lies_over_an_opening_that_a_hole_shows") {
+  // Beside a plain window the wall goes on as a hole that was seen through: the window is drawn by the whole hole, and
+  // what its own shape leaves of that is no second one.
+  const OpeningShape window = rectangle(2, 4, 1, 3), dent = rectangle(4, 4.7, 1, 2.2);
+  std::vector<Vec2> points;
+  for (double u = kApart_m / 2; u < 8; u += kApart_m)
+    for (double v = kApart_m / 2; v < 5; v += kApart_m)
+      if (!is_within(window, {u, v}) && !is_within(dent, {u, v})) points.push_back({u, v});
+  WallCells cells = painted::cells_of(122, 76, WallState::kOn, 2.2 * kApart_m);
+  for (uint32_t r = 0; r < cells.rows; ++r)
+    for (uint32_t c = 0; c < cells.columns; ++c)
+      if (const Vec2 p = Vec2{c + 0.5, r + 0.5} * cells.cell_m;
+          is_within(window, p) || is_within(dent, p))
+        cells.states[size_t{r} * cells.columns + c] = WallState::kThrough;
+  std::vector<OpeningCandidate> candidates(1);
+  candidates[0].shape = window;
+  candidates[0].is_opening = true;
+  Task task;
+  const Contour contour =
+      drawn_contour(points, candidates, extract_contour(points, {}, task), cells, {}, {}, task);
+  REQUIRE(contour.pieces.size() == 1);
+  REQUIRE(contour.pieces[0].openings.size() == 1);
+  CHECK(-signed_area(contour.pieces[0].openings[0]) ==
+        doctest::Approx(2 * 2 + 0.7 * 1.2).epsilon(0.05));
+}
