@@ -57,7 +57,12 @@
  *
  * Models; coordinates are those of the model, in metres (extensions in brackets):
  *
- * - DXF (dxf), written: AutoCAD 2000 (AC1015, with handles, tables, layouts and metres as its unit) or release 12
+ * - DXF (dxf), read: a part for each layer, with its class where the layer is named like ours; closed polylines with
+ *   their arcs and circles as faces; 3DFACE, SOLID, MESH, polygon and polyface meshes as triangles, or as faces
+ *   ("polygons" = "faces"); blocks where they are inserted. Rings of our own drawings are outlines and holes again,
+ *   with their parts. Metres by $INSUNITS or "unit"; entities that bound no surface are counted in the log; binary
+ *   files and DWG are JALON_ERROR_UNSUPPORTED.
+ *   Written: AutoCAD 2000 (AC1015, with handles, tables, layouts and metres as its unit) or release 12
  *   (AC1009). A layer for each class of part (WALL, WINDOW, DOOR, GATEWAY ...), "-COPIED" behind copied elements'
  *   class, NO_DATA for areas that no station saw; each ring of a face is a closed polyline in the plane of the face,
  *   arcs are bulges (2 sagitta / chord) with the face's extrusion direction; triangles of a mesh are 3DFACEs.

@@ -87,13 +87,13 @@ constexpr auto kReadRows = setting_rows(
         "drop_invalid", "",
         "Drop points whose coordinates are not finite instead of refusing the file"),
     choice_row<&ReadSettings::polygons>(
-        "polygons", "auto|faces|mesh", "obj",
+        "polygons", "auto|faces|mesh", "obj,dxf",
         "What the polygons of a file become: auto: faces with openings where the file tells them, "
         "as our own do, else the triangles of a mesh; faces: a face each"),
     choice_row<&ReadSettings::unit>(
-        "unit", "auto|metre|foot|us_survey_foot|millimetre|centimetre", "las,ply,text",
-        "Length unit of the coordinates of a cloud's file, which become metres; auto: that of the "
-        "CRS of a LAS file, else metres"));
+        "unit", "auto|metre|foot|us_survey_foot|millimetre|centimetre", "las,ply,text,dxf",
+        "Length unit of the coordinates of a cloud's file or of a drawing, which become metres; "
+        "auto: that of the CRS of a LAS file, of a drawing's header, else metres"));
 
 constexpr auto kWriteRows = setting_rows(
     choice_row<&WriteSettings::format>("format", kWriteChoices.bytes.data(), "",

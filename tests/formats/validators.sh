@@ -120,6 +120,13 @@ if [ -n "$gltf" ]; then
   done
   check_glb "${files[@]}"
 fi
+"$python" "$here/check_dxf_read.py" "$build/src/jalon" "$work" >"$work/drawings"
+sed -E 's/^[0-9]+ passed, /  &/' "$work/drawings"
+if [[ $(tail -n 1 "$work/drawings") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
+  passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
+else
+  failed=$((failed + 1)); echo "not ok - the checks of drawings by ezdxf did not end"
+fi
 # IFC by ifcopenshell, in the long run: its installation is large.
 if [ -n "${JALON_FULL:-}" ]; then
   bim=$build/bim

@@ -25,6 +25,7 @@ std::vector<File> obj_files();
 std::vector<File> noted_obj_files();
 std::vector<File> stl_files();
 std::vector<File> city_files();
+std::vector<File> dxf_files();
 std::vector<File> ptx_files();
 std::vector<File> pts_files();
 std::vector<File> pcd_files();

@@ -61,7 +61,7 @@ bool good_message(const std::string& path) {
 
 // Read as clouds these are always unsupported.
 bool holds_model(const malformed::File& file) {
-  for (const char* extension : {".obj", ".stl", ".json"})
+  for (const char* extension : {".obj", ".stl", ".json", ".dxf"})
     if (file.name.ends_with(extension)) return true;
   return false;
 }
@@ -183,6 +183,7 @@ int main() {
                        run.read_all("noted", malformed::noted_obj_files(), 100),
                        run.read_all("STL", malformed::stl_files(), 300),
                        run.read_all("city", malformed::city_files(), 400),
+                       run.read_all("DXF", malformed::dxf_files(), 300),
                        run.read_all("PTX", malformed::ptx_files(), 300),
                        run.read_all("PTS", malformed::pts_files(), 100),
                        run.read_all("PCD", malformed::pcd_files(), 300),

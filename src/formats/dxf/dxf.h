@@ -5,11 +5,17 @@
 #include <string>
 
 #include "base/task.h"
+#include "formats/files/byte_source.h"
 #include "formats/settings.h"
 #include "model/model.h"
 
 namespace jalon {
 
+/// A drawing as a model: a part a layer, with the class that its name tells where it is one of ours; closed polylines
+/// (arcs too) and circles as faces; 3DFACE, SOLID, MESH, polygon and polyface meshes as triangles, or as faces
+/// ("polygons" = "faces"); blocks where they are inserted. Rings of our own drawings become faces with holes and parts
+/// again. In metres by $INSUNITS or the option "unit". Other entities are counted in the log.
+Model read_dxf(const ByteSource& source, const ReadSettings& settings, Task& task);
 void write_dxf(const Model& model, const std::string& path, const WriteSettings& settings,
                Task& task);
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unordered_map>
 
 #include "base/error.h"
 #include "base/text_number.h"
+#include "formats/equal_vertices.h"
 #include "formats/files/endian.h"
 #include "formats/files/fast_number.h"
 #include "formats/files/utf8.h"
@@ -19,37 +19,6 @@ namespace jalon {
 namespace {
 
 constexpr size_t kTicks = 4096;  // triangles or lines between two looks at the task
-
-/// Collects triangles of bare coordinates; equal ones become one vertex.
-class Vertices {
- public:
-  explicit Vertices(Model& model) : model_(model) {}
-
-  uint32_t add(const Vec3& p) {
-    const Vec3 q{p.x + 0.0, p.y + 0.0, p.z + 0.0};  // -0 and 0 are the same place
-    const auto [entry, added] =
-        index_.try_emplace(q, static_cast<uint32_t>(model_.vertices.size()));
-    if (added) model_.vertices.push_back(p);
-    return entry->second;
-  }
-
- private:
-  struct Hash {
-    size_t operator()(const Vec3& p) const {
-      uint64_t h =
-          0x9E3779B97F4A7C15u;  // splitmix64 (Steele et al. 2014) over the bits of the coordinates
-      for (int k = 0; k < 3; ++k) {
-        h ^= std::bit_cast<uint64_t>(p[k]);
-        h = (h ^ (h >> 30)) * 0xBF58476D1CE4E5B9u;
-        h = (h ^ (h >> 27)) * 0x94D049BB133111EBu;
-        h ^= h >> 31;
-      }
-      return h;
-    }
-  };
-  Model& model_;
-  std::unordered_map<Vec3, uint32_t, Hash> index_;
-};
 
 uint32_t add_part(Model& model, std::string_view name) {
   model.parts.push_back({name_from_file(name, "mesh"), "mesh", kNoParent});
@@ -80,7 +49,7 @@ Model read_binary(const ByteSource& source, Task& task) {
   const Vec3 shift = shift_of({head, stl::kHeaderBytes});
   Model model;
   add_part(model, "mesh");
-  Vertices vertices(model);
+  EqualVertices vertices(model);
   constexpr uint64_t kBlock = 4096;
   std::vector<char> records(std::min(count, kBlock) * stl::kRecordBytes);
   for (uint64_t first = 0; first < count; first += kBlock) {
@@ -177,7 +146,7 @@ class AsciiStl {
   Task& task_;
   LineReader lines_;
   Model model_;
-  Vertices vertices_;
+  EqualVertices vertices_;
   std::array<uint32_t, 3> triangle_{};
   size_t corners_ = 0;
   std::string name_ = "mesh";

@@ -43,7 +43,7 @@ std::string refusal_to_write(const std::string& name, bool model) {
 
 TEST_CASE("registry__choices_of_the_options_are_the_formats_that_have_the_function") {
   CHECK(std::string(read_rows()[0].choices) ==
-        "auto|laz|e57|las|ply|pcd|ptx|pts|text|obj|stl|cityjson");
+        "auto|laz|e57|las|ply|pcd|ptx|pts|text|obj|stl|cityjson|dxf");
   CHECK(std::string(write_rows()[0].choices) ==
         "auto|laz|e57|las|ply|pcd|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc");
 }
@@ -74,9 +74,9 @@ TEST_CASE("registry__abilities_follow_from_the_functions") {
                      "PTX: ptx: cloud read", "PTS: pts: cloud read write",
                      "Text: xyz txt asc: cloud read write", "CSV: csv: cloud read write",
                      "OBJ: obj: model read write", "STL: stl: model read write",
-                     "CityJSON: city.json cityjson json: model read write", "DXF: dxf: model write",
-                     "GeoJSON: geojson: model write", "glTF: glb: model write",
-                     "IFC: ifc: model write", "SVG: svg: drawing write"});
+                     "CityJSON: city.json cityjson json: model read write",
+                     "DXF: dxf: model read write", "GeoJSON: geojson: model write",
+                     "glTF: glb: model write", "IFC: ifc: model write", "SVG: svg: drawing write"});
 }
 
 TEST_CASE("registry__rows_are_whole") {
@@ -91,12 +91,12 @@ TEST_CASE("registry__rows_are_whole") {
 }
 
 TEST_CASE("registry__messages_list_what_the_rows_can") {
-  CHECK(refusal("a.dxf", "0\nSECTION\n", true) ==
-        "DXF, GeoJSON, glTF and IFC are written, not read");
+  CHECK(refusal("a.geojson", "{}", true) == "GeoJSON, glTF and IFC are written, not read");
   CHECK(refusal("a", "\x01\x02", false) ==
-        "neither LAZ, E57, LAS, PLY, PCD, PTX, PTS, OBJ, STL, CityJSON nor text");
-  CHECK(refusal("a.obj", "v 0 0 0\n", false) == "OBJ, STL and CityJSON hold a model, no cloud");
-  CHECK(refusal("a.xyz", "1 2 3\n", true) == "no model; models are CityJSON, OBJ, PLY or STL");
+        "neither LAZ, E57, LAS, PLY, PCD, PTX, PTS, OBJ, STL, CityJSON, DXF nor text");
+  CHECK(refusal("a.obj", "v 0 0 0\n", false) ==
+        "OBJ, STL, CityJSON and DXF hold a model, no cloud");
+  CHECK(refusal("a.xyz", "1 2 3\n", true) == "no model; models are CityJSON, DXF, OBJ, PLY or STL");
   if (!has_codecs())
     CHECK(has_text(refusal("a.xyz", "ASTM-E57 and more", false), "E57 needs the component"));
   CHECK(refusal_to_write("a.doc", false) ==
