@@ -146,10 +146,17 @@ static void every_modeller__makes_a_face_of_a_wall_with_a_window(void** state) {
     /* Nothing tells how thick a wall is that was seen from one side only. */
     const jalon_status has_thickness = jalon_params_set_double(params, "thickness_m", 0.3);
     assert_true(has_thickness == JALON_OK || has_thickness == JALON_ERROR_NOT_FOUND);
-    MUST(jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, &model));
-    MUST(jalon_model_faces(model, &faces));
-    MUST(jalon_fields_view(faces, "part", &parts));
-    assert_true(parts.count >= 1);
+    const jalon_status made =
+        jalon_modeller_run(modeller, scene.cloud, scene.segmentation, NULL, &model);
+    if (strcmp(names[i], "coded_objects") == 0) { /* planes have no codes */
+      assert_int_equal(made, JALON_ERROR_INSUFFICIENT_DATA);
+      assert_null(model);
+    } else {
+      MUST(made);
+      MUST(jalon_model_faces(model, &faces));
+      MUST(jalon_fields_view(faces, "part", &parts));
+      assert_true(parts.count >= 1);
+    }
     jalon_fields_release(faces);
     jalon_model_release(model);
     jalon_params_release(params);

@@ -41,9 +41,9 @@ std::optional<WallOpening> opening_in(const CodedWall& wall, const CodedOpening&
 /// Whether two openings of a wall share a place of it.
 bool overlap(const WallOpening& a, const WallOpening& b);
 
-/// Adds the wall's face with its holes and notches, and of each opening a part with its frame (joinery) and its reveals.
-/// Returns the corners of the foot from a to b, which walk round the floors of notches. openings: apart from each
-/// other.
+/// Adds the wall's face with its holes and notches, and of each opening a part with its frame (joinery) and its
+/// reveals. Returns the corners of the foot from a to b, which walk round the floors of notches. openings: apart from
+/// each other.
 Corners add_coded_wall(SharedFaces& faces, const CodedWall& wall, uint32_t part, uint32_t id,
                        std::vector<WallOpening> openings);
 

@@ -39,9 +39,22 @@ class Codes(unittest.TestCase):
         again = jalon.Segmentation.from_bytes(coded.to_bytes())
         self.assertEqual(again.notes, coded.notes)
 
-    def python__other_methods_have_no_notes(self):
+    def python__coded_objects_become_a_model_with_their_codes(self):
         points, _, _ = wall_and_door()
-        self.assertEqual(jalon.Segmenter(min_points=20).run(jalon.Cloud(points)).notes, "")
+        cloud = jalon.Cloud(points)
+        coded = jalon.Segmenter("survey_codes", codes=HOUSE).run(cloud)
+        model = jalon.Modeller("coded_objects").run(cloud, coded)
+        names = {model.part(i).part_class: model.part(i).name for i in range(model.part_count)}
+        self.assertEqual(names["building"], "building 1 (300)")
+        self.assertEqual(names["door"], "door 6 (350)")
+        self.assertEqual(len(model.solids), 1)
+
+    def python__other_methods_have_no_notes_and_no_coded_objects(self):
+        points, _, _ = wall_and_door()
+        planes = jalon.Segmenter(min_points=20).run(jalon.Cloud(points))
+        self.assertEqual(planes.notes, "")
+        with self.assertRaises(jalon.InsufficientDataError):
+            jalon.Modeller("coded_objects").run(jalon.Cloud(points), planes)
 
 
 if __name__ == "__main__":
