@@ -138,6 +138,32 @@ static void scene_truth__refuses_other_scenes_and_scanners_without_stations(void
   jalon_params_release(options);
 }
 
+static void yard_truth__has_code_lists_and_a_class_for_each_face(void** state) {
+  (void)state;
+  jalon_params* options;
+  jalon_model* model;
+  jalon_fields* faces;
+  jalon_array_view ids;
+  uint64_t commas = 0;
+  MUST(jalon_params_create("scene", &options));
+  MUST(jalon_params_set_string(options, "name", "yard"));
+  MUST(jalon_scene_write_truth("truth_yard.json", NULL, options, NULL));
+  char* text = text_of_file("truth_yard.json");
+  assert_non_null(strstr(text, "\"shape\":\"jalon coded truth 1\""));
+  assert_non_null(strstr(text, ";300.2\""));
+  assert_non_null(strstr(text, "\"targets\":[\""));
+  for (const char* c = strstr(text, "\"face_classes\":["); *c != 0 && *c != ']'; ++c)
+    commas += *c == ',';
+  MUST(jalon_scene_create(options, NULL, &model));
+  MUST(jalon_model_faces(model, &faces));
+  MUST(jalon_fields_view(faces, "id", &ids));
+  assert_true(commas + 1 >= ids.count);
+  jalon_fields_release(faces);
+  jalon_model_release(model);
+  jalon_params_release(options);
+  free(text);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(scene_scanner__has_the_stations_and_the_noise_of_the_scene),
@@ -145,6 +171,7 @@ int main(void) {
       cmocka_unit_test(scene_truth__is_that_of_the_scanner_told_or_of_the_scenes_own),
       cmocka_unit_test(scene_truth__without_options_is_that_of_the_default_grammar),
       cmocka_unit_test(scene_truth__refuses_other_scenes_and_scanners_without_stations),
+      cmocka_unit_test(yard_truth__has_code_lists_and_a_class_for_each_face),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
