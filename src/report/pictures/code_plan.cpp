@@ -51,6 +51,9 @@ Box3 code_window(const Segmentation& segmentation, const CodedNotes& notes, Task
     for (const Vec3& p : o.outline) box.add(p);
     for (const Vec3& p : o.axis) box.add(p);
   }
+  const auto labels = segmentation.labels->values<uint32_t>();
+  for (size_t i = 0; i < labels.size(); ++i)  // walls reach beyond their targets
+    if (labels[i] != 0) box.add(segmentation.cloud->point(i));
   if (box.empty()) box = bounds(*segmentation.cloud, task);
   const double room =
       std::max(kLeastRoom_m, kRoomAround * std::max(box.max.x - box.min.x, box.max.y - box.min.y));
