@@ -32,7 +32,7 @@ TEST_CASE("confidence_of__is_the_logistic_of_the_weighted_features_of_its_family
   }
 }
 
-TEST_CASE("confidence_of__grows_with_the_changed_points_and_falls_by_a_like_change_nearby") {
+TEST_CASE("confidence_of__grows_with_the_changed_points_and_falls_by_hidden_ones_beside") {
   ChangeFeatures features{};
   features[kFeatureOne] = 1;
   features[kFeatureThrough] = 1;
@@ -41,7 +41,7 @@ TEST_CASE("confidence_of__grows_with_the_changed_points_and_falls_by_a_like_chan
   features[kFeaturePoints] = 4;
   const double many = confidence_of(change_with(ChangeClass::kAppearance, features));
   CHECK(many > few);
-  features[kFeatureLike] = 1;
+  features[kFeatureBesideHidden] = 0.3;
   CHECK(confidence_of(change_with(ChangeClass::kAppearance, features)) < many);
 }
 

@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "base/random.h"
+#include "unit/compare/changes/epochs.h"
 
 using namespace jalon;
+using namespace jalon::test;
 
 namespace {
 
@@ -62,4 +64,47 @@ TEST_CASE("object_motion__two_that_are_joined_keep_the_points_of_either_epoch") 
   CHECK(both.before == gone.before);
   CHECK(both.after == come.after);
   CHECK(both.regions_after == come.regions_after);
+}
+
+namespace {
+
+std::vector<Vec3> floor_with_block(const Vec3& foot_corner, const Vec3& size, uint64_t stream) {
+  RandomStream random(8, stream);
+  std::vector<Vec3> points;
+  add_sheet(points, {-1.8, -1.8, 0}, {3.6, 0, 0}, {0, 3.6, 0}, random);
+  add_box(points, foot_corner, size, random);
+  return points;
+}
+
+// Of the largest region of the epoch after, or of that before where there is none.
+bool moved(const TwoEpochs& epochs, Change& out) {
+  Task task;
+  const auto& after = epochs.after.regions.regions;
+  const auto& before = epochs.before.regions.regions;
+  REQUIRE(after.size() + before.size() > 0);
+  ChangedObject whole = whole_object(
+      epochs.before, epochs.after, after.empty() ? before[0].indices : std::vector<uint32_t>{},
+      after.empty() ? std::vector<uint32_t>{} : after[0].indices, kApart_m / 2, task);
+  return moved_whole({epochs.before, epochs.after, kApart_m / 2, kApart_m, kApart_m, {}, {}, task},
+                     std::move(whole), out);
+}
+
+}  // namespace
+
+TEST_CASE("moved_whole__of_a_block_that_was_pushed_tells_how_far") {
+  const Vec3 size{0.8, 0.55, 0.4}, by{0.3, 0.2, 0};
+  Change change;
+  REQUIRE(moved({floor_with_block({-0.5, -0.4, 0}, size, 1),
+                 floor_with_block(Vec3{-0.5, -0.4, 0} + by, size, 2)},
+                change));
+  CHECK(change.change_class == ChangeClass::kDisplacementOverlap);
+  CHECK(norm(change.match.displacement - by) < 0.005);
+  CHECK(change.explained > 0.75);
+}
+
+TEST_CASE("moved_whole__is_no_block_that_became_lower") {
+  Change change;
+  CHECK_FALSE(moved({floor_with_block({-0.5, -0.4, 0}, {0.8, 0.55, 0.9}, 3),
+                     floor_with_block({-0.5, -0.4, 0}, {0.8, 0.55, 0.45}, 4)},
+                    change));
 }
