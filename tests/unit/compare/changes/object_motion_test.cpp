@@ -73,6 +73,9 @@ std::vector<Vec3> floor_with_block(const Vec3& foot_corner, const Vec3& size, ui
   std::vector<Vec3> points;
   add_sheet(points, {-1.8, -1.8, 0}, {3.6, 0, 0}, {0, 3.6, 0}, random);
   add_box(points, foot_corner, size, random);
+  constexpr double kNoise_m = 0.002;
+  for (Vec3& p : points)
+    for (int c = 0; c < 3; ++c) p[c] += kNoise_m * random.normal();
   return points;
 }
 
