@@ -79,7 +79,7 @@ std::vector<ScoredRun> runs_of(const std::array<SceneKind, kKinds>& kinds, const
 
 TEST_CASE("change_confidence__of_developed_kinds") {
   constexpr SeedRange kSeeds{1, 20};
-  std::vector<ScoredRun> runs = runs_of(kDevelopedKinds, kSeeds);
+  std::vector<ScoredRun> runs = runs_of(kDevelopedChanges, kSeeds);
   const SeedRange seeds = seeds_asked_for("JALON_CHANGE_SEEDS").value_or(kSeeds);
   for (uint64_t seed = seeds.first; is_full() && seed <= seeds.last; ++seed)
     for (const bool is_unchanged : {false, true}) {
@@ -95,7 +95,7 @@ TEST_CASE("change_confidence__of_developed_kinds") {
 }
 
 TEST_CASE("change_confidence__of_kinds_that_no_constant_was_set_on") {
-  const std::vector<ScoredRun> runs = runs_of(kReportedKinds, {201, 240});
+  const std::vector<ScoredRun> runs = runs_of(kReportedChanges, {201, 240});
   write_rows(runs);
   const ConfidenceFigures all = told("reported kinds", runs);
   CHECK(all.sure_share() >= 0.9);

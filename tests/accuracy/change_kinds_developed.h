@@ -180,7 +180,7 @@ inline EpochScenes stacks(uint64_t seed) {
   return out;
 }
 
-inline constexpr std::array<SceneKind, 8> kDevelopedKinds{{
+inline constexpr std::array<SceneKind, 8> kDevelopedChanges{{
     {"boxes come and go", boxes_come_and_go},
     {"boxes pushed", boxes_pushed},
     {"dented tank", dented_tank},

@@ -213,7 +213,7 @@ inline EpochScenes door_and_leaning_wall(uint64_t seed) {
   return out;
 }
 
-inline constexpr std::array<SceneKind, 8> kReportedKinds{{
+inline constexpr std::array<SceneKind, 8> kReportedChanges{{
     {"poles and barrels", poles_and_barrels},
     {"tables moved", tables_moved},
     {"pit and bulge", pit_and_bulge},
