@@ -31,7 +31,7 @@ inline constexpr auto kYardRows = setting_rows(
                                             "one door has no target in the list"),
     number_row<&YardSettings::gutter_shift_m>(
         "gutter_shift_m", 0, 1, "m", "yard",
-        "how far the surveyed centre of one gutter lies from its place"),
+        "shift of the surveyed centre of one gutter from its place"),
     number_row<&YardSettings::survey_noise_m>("survey_noise_m", 0, 1, "m", "yard",
                                               "standard deviation of each coordinate of a surveyed "
                                               "point"),
