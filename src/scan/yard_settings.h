@@ -37,6 +37,6 @@ inline constexpr auto kYardRows = setting_rows(
                                               "point"),
     number_row<&YardSettings::georeference_m>(
         "georeference_m", 0, 1, "m", "yard",
-        "how far the whole survey lies off the cloud, in a direction by the seed"));
+        "shift of the whole survey off the cloud, in a direction by the seed"));
 
 }  // namespace jalon

@@ -162,6 +162,7 @@ static void yard_truth__has_code_lists_and_a_class_for_each_face(void** state) {
   jalon_model_release(model);
   jalon_params_release(options);
   free(text);
+  remove("truth_yard.json");
 }
 
 int main(void) {
