@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/text_number.h"
+#include "base/utf8_character.h"
 #include "formats/files/utf8.h"
 
 namespace jalon::dxf {
@@ -27,19 +28,6 @@ int digit_of(char c) {
   if (c >= 'A' && c <= 'F') return c - 'A' + 10;
   if (c >= 'a' && c <= 'f') return c - 'a' + 10;
   return -1;
-}
-
-// Of the basic plane.
-void append_utf8(std::string& out, unsigned code) {
-  if (code < 0x80) out += static_cast<char>(code);
-  else if (code < 0x800) {
-    out += static_cast<char>(0xC0 | code >> 6);
-    out += static_cast<char>(0x80 | (code & 0x3F));
-  } else {
-    out += static_cast<char>(0xE0 | code >> 12);
-    out += static_cast<char>(0x80 | (code >> 6 & 0x3F));
-    out += static_cast<char>(0x80 | (code & 0x3F));
-  }
 }
 
 }  // namespace
@@ -84,7 +72,7 @@ std::string GroupReader::text() const {
       code = digit < 0 ? -1 : code * 16 + digit;
     }
     if (is_escape && code > 0) {
-      append_utf8(out, static_cast<unsigned>(code));
+      append_utf8(out, static_cast<uint32_t>(code));
       at += 7;
     } else {
       out += value_[at++];

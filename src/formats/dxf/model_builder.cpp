@@ -180,10 +180,6 @@ void ModelBuilder::add_hole(Loop loop, uint32_t part) {
   add_ring(loop, is_nameless ? kNoPart : part);
 }
 
-void ModelBuilder::add_triangles(const std::vector<uint32_t>& corners, uint32_t part) {
-  append_polygon(model_, corners, part);
-}
-
 void ModelBuilder::add(Patch patch) {
   const uint32_t part = part_of_layer(patch.layer);
   if (polygons_ == Polygons::kFaces) {
@@ -201,7 +197,7 @@ void ModelBuilder::add(Patch patch) {
   for (const auto& polygon : patch.polygons) {
     std::vector<uint32_t> corners;
     for (const uint32_t at : polygon) corners.push_back(numbers[at]);
-    add_triangles(corners, part);
+    append_polygon(model_, corners, part);
   }
 }
 

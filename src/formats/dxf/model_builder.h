@@ -37,7 +37,6 @@ class ModelBuilder {
   void add_face(Loop loop, const Vec3& normal, uint32_t part, uint32_t id);
   void add_hole(Loop loop, uint32_t part);
   void add_ring(const Loop& loop, uint32_t part);
-  void add_triangles(const std::vector<uint32_t>& corners, uint32_t part);
 
   Polygons polygons_;
   double scale_;

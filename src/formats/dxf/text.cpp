@@ -18,22 +18,13 @@ namespace {
 constexpr size_t kMaxTextBytes = 255;  // of a string group in release 12 and 2000
 constexpr const char* kHex = "0123456789ABCDEF";
 
-uint32_t code_point(std::string_view character) {
-  const auto lead = static_cast<unsigned char>(character[0]);
-  if (character.size() == 1) return lead;
-  uint32_t code = lead & (0x3F >> (character.size() - 1));
-  for (size_t i = 1; i < character.size(); ++i)
-    code = code << 6 | (static_cast<unsigned char>(character[i]) & 0x3F);
-  return code;
-}
-
 // The file is ASCII: R2000 writes other characters of the basic plane as \U+XXXX, R12 knows no way.
 std::string safe(std::string_view text, Version version) {
   const std::string valid = valid_utf8(text);
   std::string out;
   for (size_t at = 0; at < valid.size();) {
     const size_t bytes = utf8_character_bytes(std::string_view(valid).substr(at));
-    const uint32_t code = code_point(std::string_view(valid).substr(at, bytes));
+    const uint32_t code = utf8_code(std::string_view(valid).substr(at, bytes));
     at += bytes;
     std::string piece(1, static_cast<char>(code));
     if (code < 0x20 || code == 0x7F) {

@@ -7,22 +7,12 @@
 #include <cstdint>
 
 #include "base/text_number.h"
+#include "base/utf8_character.h"
 #include "formats/files/utf8.h"
 
 namespace jalon::ifc {
 
 namespace {
-
-// Of a text that is valid UTF-8: the character at this place, which moves behind it.
-uint32_t next_character(std::string_view text, size_t& at) {
-  const auto byte = [&](size_t i) { return static_cast<uint8_t>(text[i]); };
-  const uint8_t first = byte(at++);
-  if (first < 0x80) return first;
-  const int more = first >= 0xF0 ? 3 : first >= 0xE0 ? 2 : 1;
-  uint32_t code = first & (0x3Fu >> more);
-  for (int k = 0; k < more; ++k) code = code << 6 | (byte(at++) & 0x3Fu);
-  return code;
-}
 
 void append_hexadecimal(std::string& out, uint32_t code, int digits) {
   for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
@@ -74,7 +64,9 @@ std::string string_text(std::string_view given) {
   const std::string text = valid_utf8(given);
   std::string out = "'";
   for (size_t at = 0; at < text.size();) {
-    const uint32_t code = next_character(text, at);
+    const size_t bytes = utf8_character_bytes(std::string_view(text).substr(at));
+    const uint32_t code = utf8_code(std::string_view(text).substr(at, bytes));
+    at += bytes;
     if (code == '\'' || code == '\\') out.append(2, static_cast<char>(code));
     else if (code >= 0x20 && code < 0x7F) out += static_cast<char>(code);
     else {

@@ -273,17 +273,10 @@ std::string code_plan_svg(const Segmentation& segmentation, const CodedNotes& no
   plan.sheet = lay_out_figure(plan.raster.width_m(), plan.raster.height_m());
   const Sheet& sheet = plan.sheet;
   SvgWriter svg;
-  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"xmlns:xlink", "http://www.w3.org/1999/xlink"},
-                   {"width", svg_number(sheet.width) + "mm"},
-                   {"height", svg_number(sheet.height) + "mm"},
-                   {"viewBox", "0 0 " + svg_number(sheet.width) + " " + svg_number(sheet.height)},
-                   {"font-family", "Helvetica, Arial, sans-serif"}});
   const std::string text = (title.empty() ? "Plan, " : title + ": plan, ") +
                            grouped(notes.objects.size()) + " coded objects, " +
                            grouped(segmentation.cloud->size()) + " points";
-  svg.element("title", {}, text);
-  svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
+  open_figure(svg, sheet, text);
   svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
            fitted_text(text, 3.2, sheet.width - sheet.view.x - 3), true);
   draw_class_points(svg, plan);

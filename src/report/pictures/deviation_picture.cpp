@@ -146,15 +146,8 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
   const Sheet sheet = lay_out_figure(is_empty ? 10 : raster.width_m(),
                                      is_empty ? 5 : raster.height_m(), {}, kLegend);
   SvgWriter svg;
-  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"xmlns:xlink", "http://www.w3.org/1999/xlink"},
-                   {"width", svg_number(sheet.width) + "mm"},
-                   {"height", svg_number(sheet.height) + "mm"},
-                   {"viewBox", "0 0 " + svg_number(sheet.width) + " " + svg_number(sheet.height)},
-                   {"font-family", "Helvetica, Arial, sans-serif"}});
   const std::string title = settings.title.empty() ? "Distances" : settings.title;
-  svg.element("title", {}, title);
-  svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
+  open_figure(svg, sheet, title);
   svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
            fitted_text(title, 3.2, sheet.width - sheet.view.x - 3), true);
   const Box_mm& v = sheet.view;

@@ -138,15 +138,8 @@ std::string picture_svg(const Segmentation& segmentation, const PictureSettings&
                            : lay_out_figure(picture.raster.width_m(), picture.raster.height_m());
   const Sheet& sheet = picture.sheet;
   SvgWriter svg;
-  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"xmlns:xlink", "http://www.w3.org/1999/xlink"},
-                   {"width", svg_number(sheet.width) + "mm"},
-                   {"height", svg_number(sheet.height) + "mm"},
-                   {"viewBox", "0 0 " + svg_number(sheet.width) + " " + svg_number(sheet.height)},
-                   {"font-family", "Helvetica, Arial, sans-serif"}});
   const std::string title = title_of(picture, settings);
-  svg.element("title", {}, title);
-  svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
+  open_figure(svg, sheet, title);
   svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
            fitted_text(title, 3.2, sheet.width - sheet.view.x - 3), true);
   if (is_empty) {

@@ -117,4 +117,15 @@ Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins,
   return s;
 }
 
+void open_figure(SvgWriter& svg, const Sheet& sheet, const std::string& title) {
+  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
+                   {"xmlns:xlink", "http://www.w3.org/1999/xlink"},
+                   {"width", svg_number(sheet.width) + "mm"},
+                   {"height", svg_number(sheet.height) + "mm"},
+                   {"viewBox", "0 0 " + svg_number(sheet.width) + " " + svg_number(sheet.height)},
+                   {"font-family", "Helvetica, Arial, sans-serif"}});
+  svg.element("title", {}, title);
+  svg.leaf("rect", {{"width", sheet.width}, {"height", sheet.height}, {"fill", "#ffffff"}});
+}
+
 }  // namespace jalon

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <string>
 
+#include "formats/drawings/svg_writer.h"
+
 namespace jalon {
 
 struct Box_mm {
@@ -40,5 +42,8 @@ Sheet lay_out_sheet(double width_m, double height_m, const std::string& paper, i
 /// the margins and the legend of 50 mm. legend_height: room that the legend needs, mm.
 Sheet lay_out_figure(double width_m, double height_m, const Margins_mm& margins = {},
                      double legend_height = 75);
+
+/// Begins the drawing of a figure, with raster pictures: its size in mm, its title, white paper.
+void open_figure(SvgWriter& svg, const Sheet& sheet, const std::string& title);
 
 }  // namespace jalon
