@@ -39,7 +39,7 @@ std::vector<double> triangle_densities(const Model& model, const std::string& te
   if (factors.empty()) return densities;
   for (const auto& [part_class, factor] : factors)
     if (std::none_of(model.parts.begin(), model.parts.end(),
-                     [&](const Part& p) { return p.part_class == part_class; }))
+                     [&wanted = part_class](const Part& p) { return p.part_class == wanted; }))
       fail(Status::kInvalidArgument, "densities: the model has no part of class \"%.60s\"",
            part_class.c_str());
   std::unordered_map<uint32_t, double> factor_of_face;

@@ -9,6 +9,7 @@ import re
 import subprocess
 import sys
 
+from captures import captured_bindings
 from mirrored import mirrored
 from one_definition import one_definition
 from rooms import CODE, ROOMS, bindings_alone, crowds, includes, layers, sublayers
@@ -239,6 +240,7 @@ def main():
     tally.check("style: the bindings take nothing from the tests", bindings_alone(files))
     tally.check("style: no folder of src with more files than one can overlook", crowds(files))
     tally.check("style: a type name stands for one type", one_definition(files))
+    tally.check("style: no lambda captures a name of a structured binding", captured_bindings(files))
     tally.check("style: every source with logic has its test at the mirrored path, or in the list", mirrored(files))
     tally.check("style: examples and C tests see include/jalon only", outsiders(files))
     for language, problems in headers_alone():

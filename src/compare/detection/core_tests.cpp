@@ -42,16 +42,14 @@ double deviate(double t, double degrees) {
 
 class Tester {
  public:
-  Tester(const SurfaceCores& reference, const SurfaceCores& compared,
-         std::span<const double> nearest_m, const Sights* sights, const Vec3& origin,
-         const DetectionRates& rates)
+  Tester(const SurfaceCores& reference, double noise_m, std::span<const double> nearest_m,
+         const Sights* sights, const Vec3& origin, const DetectionRates& rates)
       : reference_(reference),
-        compared_(compared),
         nearest_m_(nearest_m),
         sights_(sights),
         origin_(origin),
         rates_(rates),
-        noise_m_(std::max(reference.noise_m(), compared.noise_m())) {}
+        noise_m_(noise_m) {}
 
   // Step 1.
   CoreTest measured(const SurfaceCore& core) const {
@@ -124,7 +122,7 @@ class Tester {
     return seen == PlaceSight::kThrough ? CoreState::kNew : CoreState::kUntold;
   }
 
-  const SurfaceCores &reference_, &compared_;
+  const SurfaceCores& reference_;
   std::span<const double> nearest_m_;
   const Sights* sights_;
   Vec3 origin_;
@@ -147,7 +145,8 @@ double null_scale(const Tester& tester, const std::vector<CoreTest>& cores) {
 CoreTests test_cores(const SurfaceCores& reference, const SurfaceCores& compared,
                      std::span<const double> nearest_m, const Sights* sights, const Vec3& origin,
                      const DetectionRates& rates, Task& task) {
-  const Tester tester(reference, compared, nearest_m, sights, origin, rates);
+  const double noise_m = std::max(reference.noise_m(), compared.noise_m());
+  const Tester tester(reference, noise_m, nearest_m, sights, origin, rates);
   CoreTests out;
   out.noise_m = tester.noise_m();
   out.cores.resize(compared.size());

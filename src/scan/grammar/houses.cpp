@@ -175,8 +175,8 @@ void plan_gabled(Sketch& k) {
     k.window_row(wall, s, axes, storey, 0.05);
   }
   // The gable: triangles along its slopes, a round or a plain window in its middle.
-  const auto under_roof = [&](double u) {
-    const double share = u < ridge ? u / ridge : (front - u) / (front - ridge);
+  const auto under_roof = [eaves, rise, ridge, end = front](double u) {
+    const double share = u < ridge ? u / ridge : (end - u) / (end - ridge);
     return eaves + rise * share - 0.45;
   };
   PlannedOpening o;

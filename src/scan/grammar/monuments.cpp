@@ -31,7 +31,7 @@ void plan_wings(Sketch& k) {
     Contour outline{{{u0, 0}}, {{u1, 0}}, {{u1, eaves}}, {{u0, eaves}}};
     const double rise = (u1 - u0) * dice.between(0.2, 0.3);
     if (i == 1 && has_pediment)
-      outline.insert(outline.begin() + 3, {{(u0 + u1) / 2, eaves + rise}});
+      outline.insert(outline.begin() + 3, {{{(u0 + u1) / 2, eaves + rise}}});
     const size_t wall = k.wall("wing " + std::to_string(i + 1), ys[i], outline);
     const std::vector<double> axes = k.axes_by(u0 + 0.2, u1 - 0.2, 2.0, 2.9);
     if (i == 1) {

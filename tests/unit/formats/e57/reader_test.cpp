@@ -71,7 +71,8 @@ TEST_CASE("e57__files_of_others_hold_what_their_headers_say") {
                 {"ZeroPoints.e57", 0, 1},
                 {"bunnyDouble.e57", 30571, 1},
                 {"bunnyInt32.e57", 30571, 1}};
-  for (const auto& [name, points, stations] : kFiles) {
+  for (const auto& [file, points, stations] : kFiles) {
+    const char* const name = file;
     const std::string path = e57_path(name);
     if (path.empty()) return;
     CAPTURE(name);
@@ -88,7 +89,8 @@ TEST_CASE("e57__malformed_files_are_refused_with_what_is_wrong") {
                 {"InvalidCVHeader.e57", "ection"},
                 {"ZeroPointsInvalid.e57", ""},
                 {"empty.e57", "no scan"}};
-  for (const auto& [name, reason] : kFiles) {
+  for (const auto& [file, reason] : kFiles) {
+    const char* const name = file;
     const std::string path = e57_path(name);
     if (path.empty()) return;
     CAPTURE(name);

@@ -59,7 +59,8 @@ TEST_CASE("laz_writer__holds_every_bit_of_the_las_file_in_every_point_format") {
   static constexpr struct {
     unsigned wants, format;
   } kCases[] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 6}, {6, 7}, {14, 8}};
-  for (const auto& [wants, format] : kCases) {
+  for (const auto& [wants, expected] : kCases) {
+    const unsigned format = expected;
     CAPTURE(format);
     const Cloud cloud = cloud_of(wants, kPoints, 40 + format);
     const std::string packed = bytes_of(cloud, "a.laz"), plain = bytes_of(cloud, "a.las");

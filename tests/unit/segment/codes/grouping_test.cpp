@@ -42,7 +42,8 @@ TEST_CASE("grouping__window_targets_of_the_annex_pair_up_on_their_facades") {
                             {"107", "108", "650", "255"},
                             {"122", "123", "200", "201"},
                             {"125", "133", "256", "257"}};
-  for (const auto& [first, second, from, to] : pairs) {
+  for (const auto& [one, second, from, to] : pairs) {
+    const char* const first = one;
     CAPTURE(first);
     const CodedObject* windows = object_named(targets, std::string("windows ") + first);
     REQUIRE(windows != nullptr);
