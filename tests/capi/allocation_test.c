@@ -3,71 +3,14 @@
 /* Allocation failure is an ordinary error: in small jobs through the whole surface the 1st, 2nd, 3rd ... allocation
  * fails, once or from then on. Each time: out of memory or success, no crash, nothing kept, and the same job then
  * succeeds. By default at most kShallow failures a job and mode, spread over all; JALON_FULL=1 takes every one. */
+#include "allocation_faults.h"
 #include "allocation_scenarios.h"
 
 #include <dirent.h>
-#include <errno.h>
-
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__GLIBC__)
-#define CANNOT_REPLACE_MALLOC 1
-#endif
 
 enum { kShallow = 60 };
 
 #ifndef CANNOT_REPLACE_MALLOC
-
-/* The allocator of the whole process, libstdc++ and thread creation included, goes through here. */
-extern void* __libc_malloc(size_t bytes);
-extern void* __libc_calloc(size_t count, size_t bytes);
-extern void* __libc_realloc(void* old, size_t bytes);
-extern void* __libc_memalign(size_t alignment, size_t bytes);
-extern void __libc_free(void* block);
-
-static int armed, sticky;
-static long attempts, fail_at, failures, live;
-
-static int must_fail(void) {
-  if (!__atomic_load_n(&armed, __ATOMIC_ACQUIRE)) return 0;
-  const long attempt = __atomic_add_fetch(&attempts, 1, __ATOMIC_RELAXED);
-  if (fail_at == 0 || (sticky ? attempt < fail_at : attempt != fail_at)) return 0;
-  __atomic_add_fetch(&failures, 1, __ATOMIC_RELAXED);
-  errno = ENOMEM;
-  return 1;
-}
-
-static void* counted(void* block) {
-  if (block != NULL) __atomic_add_fetch(&live, 1, __ATOMIC_RELAXED);
-  return block;
-}
-
-#pragma GCC visibility push( \
-    default) /* the build hides everything, but these must be seen by the libraries */
-void* malloc(size_t bytes) { return must_fail() ? NULL : counted(__libc_malloc(bytes)); }
-void* calloc(size_t count, size_t bytes) {
-  return must_fail() ? NULL : counted(__libc_calloc(count, bytes));
-}
-void* memalign(size_t alignment, size_t bytes) {
-  return must_fail() ? NULL : counted(__libc_memalign(alignment, bytes));
-}
-void* aligned_alloc(size_t alignment, size_t bytes) { return memalign(alignment, bytes); }
-int posix_memalign(void** out, size_t alignment, size_t bytes) {
-  void* block = memalign(alignment, bytes);
-  if (block == NULL) return ENOMEM;
-  *out = block;
-  return 0;
-}
-void* realloc(void* old, size_t bytes) {
-  if (old == NULL) return malloc(bytes);
-  if (must_fail()) return NULL;
-  void* block = __libc_realloc(old, bytes);
-  if (block == NULL && bytes == 0) __atomic_sub_fetch(&live, 1, __ATOMIC_RELAXED);
-  return block;
-}
-void free(void* block) {
-  if (block != NULL) __atomic_sub_fetch(&live, 1, __ATOMIC_RELAXED);
-  __libc_free(block);
-}
-#pragma GCC visibility pop
 
 /* One run of a job with the k-th allocation failing (0 = none): its status, what it kept, and whether anything did
  * fail. */
@@ -78,14 +21,11 @@ struct outcome {
 
 static struct outcome run_job(int job, long k, int from_then_on) {
   struct outcome outcome;
-  attempts = failures = 0;
-  fail_at = k;
-  sticky = from_then_on;
-  const long before = __atomic_load_n(&live, __ATOMIC_ACQUIRE);
-  __atomic_store_n(&armed, 1, __ATOMIC_RELEASE);
+  const long before = live_blocks();
+  arm_allocations(k, from_then_on);
   outcome.status = kScenarios[job].run();
-  __atomic_store_n(&armed, 0, __ATOMIC_RELEASE);
-  outcome.kept = __atomic_load_n(&live, __ATOMIC_ACQUIRE) - before;
+  disarm_allocations();
+  outcome.kept = live_blocks() - before;
   outcome.failures = failures;
   outcome.attempts = attempts;
   return outcome;

@@ -225,7 +225,8 @@ static inline jalon_status op_covariances(const jalon_cloud* cloud, jalon_task* 
   return status;
 }
 
-/* On a field that the points' places give: heights of a ripple, which no whole-metre shift changes. */
+/* On a field that the points' places give: heights of a ripple, which no whole-metre shift changes. Multiples of
+ * 2^-10 m and their squares are exact, however the host rounds. */
 static inline jalon_status with_ripple(const jalon_cloud* cloud, jalon_cloud** out) {
   jalon_array_view xyz;
   jalon_status status = jalon_cloud_points(cloud, &xyz);
@@ -234,8 +235,9 @@ static inline jalon_status with_ripple(const jalon_cloud* cloud, jalon_cloud** o
   double* values = malloc((size_t)xyz.count * 8 + 8);
   if (values == NULL) return JALON_ERROR_OUT_OF_MEMORY;
   for (uint64_t i = 0; i < xyz.count; ++i) {
-    const double u = p[3 * i] - floor(p[3 * i]), v = p[3 * i + 2] - floor(p[3 * i + 2]);
-    values[i] = 0.01 * u * (1 - u) + 0.02 * v * v;
+    const double u = floor((p[3 * i] - floor(p[3 * i])) * 1024) * 0x1p-10,
+                 v = floor((p[3 * i + 2] - floor(p[3 * i + 2])) * 1024) * 0x1p-10;
+    values[i] = 0x1p-7 * u * (1 - u) + 0x1p-6 * v * v;
   }
   status = own_handle(cloud, out);
   if (status == JALON_OK)

@@ -30,8 +30,8 @@ for version in "${versions[@]}"; do
   check "the program of the bits does" built bits
   check "its results have the bits of GCC's" same_bits
   check "the same with 1, 2 and 7 threads, with AVX2 and without" bash "$root/tests/scenarios/bits.sh" "$build"
-  tests=all names='^(unit|capi)_[a-z0-9_]*$'
-  [ "$version" = "${versions[0]}" ] || { tests=c_tests names='^capi_[a-z0-9_]*$'; }
+  tests=all names='^(unit|capi|reliability)_[a-z0-9_]*$'
+  [ "$version" = "${versions[0]}" ] || { tests=c_tests names='^(capi|reliability)_[a-z0-9_]*$'; }
   check "its tests compile without a warning: $tests" built $tests
   while read -r name; do
     [ -x "$build/tests/$name" ] || continue

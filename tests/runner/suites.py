@@ -56,8 +56,9 @@ def unit_programs():
 
 
 def c_programs():
-    names = sorted(os.listdir(os.path.join(ROOT, "tests", "capi")))
-    return ["capi_" + n[:-2] for n in names if n.endswith("_test.c")] + ["capi_null_wild"]
+    def of(folder):
+        return [folder + "_" + n[:-2] for n in sorted(os.listdir(os.path.join(ROOT, "tests", folder))) if n.endswith("_test.c")]
+    return of("capi") + ["capi_null_wild"] + of("reliability")
 
 
 def program(name, build, full=False):
@@ -86,6 +87,9 @@ def release_suites():
         script("cli_mistakes", "tests/scenarios/cli_mistakes.sh", ["jalon_cli"], [tool]),
         script("cli_facades", "tests/scenarios/cli_facades.sh", ["jalon_cli"], [tool]),
         script("malformed", "tests/fuzz/malformed.sh", ["malformed_files"]),
+        script("hardening", "tests/reliability/hardening.sh", ["jalon", "jalon_cli"]),
+        script("replay", "tests/fuzz/replay.sh", ["fuzz_replay"]),
+        script("reliability_page", "tests/reliability/page.py", [], []),
         script("laspy", "tests/fuzz/laspy.sh", ["jalon"]),
         script("laspy_offline", "tests/offline.sh", [], ["tests/fuzz/laspy.sh", "laspy"]),
         script("validators", "tests/formats/validators.sh", ["jalon_cli", "house_files", "scan_files"]),
@@ -106,7 +110,8 @@ def sanitized_suites():
     """Every change runs what sees the whole library through its C surface; --full adds the unit tests."""
     asan = [program(name, "asan") for name in c_programs()] + [
         script("asan/cli", "tests/scenarios/cli.sh", ["jalon_cli"], [os.path.join(folder("asan"), "src", "jalon")], build="asan"),
-        script("asan/malformed", "tests/fuzz/malformed.sh", ["malformed_files"], build="asan")]
+        script("asan/malformed", "tests/fuzz/malformed.sh", ["malformed_files"], build="asan"),
+        script("asan/replay", "tests/fuzz/replay.sh", ["fuzz_replay"], build="asan")]
     asan += [program(name, "asan", full=True) for name in unit_programs()]
     tsan = [program(name, "tsan") for name in THREADED + ["capi_threads_test", "capi_search_test"]]
     return asan + tsan + [program(name, "tsan", full=True) for name in THREADED_FULL]
@@ -118,6 +123,7 @@ def full_suites():
                packages=["maven"]),
         script("bindings_asan", "tests/bindings/python_asan.sh", ["bindings"], full=True),
         script("clang", "tests/install/clang.sh", ["bits"], full=True, packages=["clang-14", "clang-19"]),
+        script("fuzz", "tests/fuzz/fuzz.sh", [], ["600"], full=True, packages=["clang-14"]),
         script("mingw", "tests/install/mingw.sh", [], [], full=True, packages=["g++-mingw-w64-x86-64-posix", "wine64"]),
         script("viewer", "tests/viewer/check.py", ["jalon_cli"], full=True, packages=["chromium"]),
         script("static", "tests/install/static.sh", [], [], full=True),

@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include "base/default_arithmetic.h"
 #include "base/error.h"
 #include "base/field.h"
 #include "capi/support/handles.h"
@@ -23,6 +24,7 @@ jalon_status remember_current() noexcept;
 /// The one wall between C++ and the caller: every function with a status is argument checks + one call inside guard.
 template <class F>
 jalon_status guard(F&& body) noexcept {
+  const DefaultArithmetic arithmetic;
   try {
     body();
     return JALON_OK;

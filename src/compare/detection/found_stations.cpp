@@ -100,8 +100,9 @@ std::optional<Vec3> first_place(std::span<const PlanLine> lines, size_t all, Tas
     if (draw % 50 == 0) task.checkpoint(0);
     // One among the first, the other within ever wider reach: sweeps side by side are nearly parallel.
     const size_t reach = std::min(lines.size(), about << (draw % 8));
+    const size_t second = random.below(reach), first = random.below(about);
     Vec3 place;
-    if (!crossing(lines[random.below(about)], lines[random.below(reach)], place)) continue;
+    if (!crossing(lines[first], lines[second], place)) continue;
     const size_t n = passing(lines.first(about), place);
     // Parallel sweeps alone tell no place: lines further on must agree.
     const size_t wide = passing(lines.first(reach), place);

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include <new>
 #include <string>
 
 // LAZ and E57 read and written by the crates "laz" and "e57" (rust/), an optional component: where it was
@@ -15,9 +16,17 @@ bool has_codecs();
 /// Error(kUnsupported) that names what to install where it was not.
 void require_codecs(const std::string& path, const char* format);
 
+/// What a call gives that was refused memory.
+constexpr int32_t kJcOutOfMemory = 2;
+/// Whether the call failed with a line; throws where it was out of memory.
+inline bool has_failed(int32_t status) {
+  if (status == kJcOutOfMemory) throw std::bad_alloc();
+  return status != 0;
+}
+
 extern "C" {
 
-/// Where a call leaves one line when it fails; calls give 0, or 1.
+/// Where a call leaves one line when it fails; calls give 0, or 1, or kJcOutOfMemory.
 struct JcMessage {
   char* bytes;
   uint64_t room;

@@ -44,15 +44,14 @@ struct ScanLayout {
 
 class E57Reader {
  public:
-  E57Reader(const ByteSource& source, Task& task) : source_(source), task_(task) {
-    check_header();
-    call(jc_e57_open({this, read_for_decoder, source.size()}, &document_, &scans_, message()));
-  }
+  E57Reader(const ByteSource& source, Task& task) : source_(source), task_(task) {}
   ~E57Reader() { jc_e57_close(document_); }
   E57Reader(const E57Reader&) = delete;
   E57Reader& operator=(const E57Reader&) = delete;
 
   Cloud run() {
+    check_header();
+    call(jc_e57_open({this, read_for_decoder, source_.size()}, &document_, &scans_, message()));
     if (scans_ == 0) source_.refuse(0, "the file holds no scan");
     const bool wide = has_wide_colours();
     for (uint64_t s = 0; s < scans_; ++s) {
@@ -87,8 +86,8 @@ class E57Reader {
     return {line_, sizeof line_};
   }
 
-  void call(int32_t failed) {
-    if (failed == 0) return;
+  void call(int32_t status) {
+    if (!has_failed(status)) return;
     task_.checkpoint(0);  // a cancel is told as such
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
     fail(Status::kFormat, "%.400s: %s", source_.path().c_str(), valid_utf8(line_).c_str());

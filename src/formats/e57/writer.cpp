@@ -89,8 +89,8 @@ class E57FileWriter {
     return {line_, sizeof line_};
   }
 
-  void call(int32_t failed) {
-    if (failed == 0) return;
+  void call(int32_t status) {
+    if (!has_failed(status)) return;
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
     fail(Status::kInternal, "%.400s: the points cannot be told as E57: %s", path_.c_str(),
          valid_utf8(line_).c_str());

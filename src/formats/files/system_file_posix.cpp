@@ -28,12 +28,16 @@ FileState state_from(const struct stat& info) {
   return {kind, static_cast<uint64_t>(info.st_size), static_cast<uint32_t>(info.st_mode & 07777)};
 }
 
-/// The name still stands for the file that is open: nobody swept it away before the lock was held.
-bool is_still(const std::string& path, int descriptor) {
+enum class Named { kThis, kOther, kUnknown };
+
+/// What the name stands for: the file that is open, or another or none since somebody swept it away before the lock was
+/// held.
+Named named_by(const std::string& path, int descriptor) {
   struct stat open {};
   struct stat named {};
-  return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 &&
-         open.st_dev == named.st_dev && open.st_ino == named.st_ino;
+  if (::fstat(descriptor, &open) != 0) return Named::kUnknown;
+  if (::lstat(path.c_str(), &named) != 0) return errno == ENOENT ? Named::kOther : Named::kUnknown;
+  return open.st_dev == named.st_dev && open.st_ino == named.st_ino ? Named::kThis : Named::kOther;
 }
 
 /// Calls write(data, bytes) until nothing is left.
@@ -119,9 +123,11 @@ FileHandle create_locked(const std::string& path) {
   do descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   while (descriptor < 0 && errno == EINTR);
   if (descriptor < 0) return kNoFile;
-  // Without locks on this file system nothing is swept either, so the name is safe all the same.
+  // Without locks on this file system nothing is swept either, so the name is safe all the same; what cannot be asked
+  // about is the file that was just made.
   const bool is_locked = ::flock(descriptor, LOCK_EX | LOCK_NB) == 0;
-  if (is_locked ? is_still(path, descriptor) : errno != EWOULDBLOCK) return descriptor;
+  if (is_locked ? named_by(path, descriptor) != Named::kOther : errno != EWOULDBLOCK)
+    return descriptor;
   ::close(descriptor);  // another writer swept it between the two calls
   errno = EEXIST;
   return kNoFile;
@@ -131,7 +137,7 @@ void remove_unlocked(const std::string& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return;
   if (state_of(FileHandle{descriptor}).kind == FileKind::kRegular &&
-      ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && is_still(path, descriptor))
+      ::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && named_by(path, descriptor) == Named::kThis)
     ::unlink(path.c_str());
   ::close(descriptor);
 }

@@ -39,7 +39,7 @@ LazPoints::LazPoints(const ByteSource& source, const Header& header,
     source.refuse(104, "the points are compressed, and no record \"%s\" tells how", kLazUser);
   Line line;
   JcLazLayout layout{};
-  if (jc_laz_layout(bytes_of(vlr_), vlr_.size(), &layout, line.message()) != 0)
+  if (has_failed(jc_laz_layout(bytes_of(vlr_), vlr_.size(), &layout, line.message())))
     source.refuse(header.size, "the record \"%s\": %s", kLazUser, line.text);
   if (layout.record_bytes != header.record_bytes)
     source.refuse(105, "point records have %u bytes, those of the compressor %llu",
@@ -91,8 +91,8 @@ void LazPoints::read_table(uint64_t chunk_points) {
   source_.read(table, bytes.data(), bytes.size());
   std::vector<uint64_t> points(count), sizes(count);
   Line line;
-  if (jc_laz_chunks(bytes_of(bytes), bytes.size(), chunk_points == 0 ? 1 : 0, points.data(),
-                    sizes.data(), count, line.message()) != 0)
+  if (has_failed(jc_laz_chunks(bytes_of(bytes), bytes.size(), chunk_points == 0 ? 1 : 0,
+                               points.data(), sizes.data(), count, line.message())))
     source_.refuse(table, "%s", line.text);
   uint64_t at = header_.point_offset + 8;
   for (uint64_t c = 0; c < count; ++c) {
@@ -128,9 +128,9 @@ std::unique_ptr<std::byte[]> LazPoints::decode(size_t number) const {
   const size_t bytes = chunk.points * header_.record_bytes;
   auto records = std::make_unique_for_overwrite<std::byte[]>(bytes);
   Line line;
-  if (jc_laz_decode(bytes_of(vlr_), vlr_.size(), reinterpret_cast<const uint8_t*>(packed.get()),
-                    chunk.bytes, reinterpret_cast<uint8_t*>(records.get()), bytes,
-                    line.message()) != 0)
+  if (has_failed(jc_laz_decode(bytes_of(vlr_), vlr_.size(),
+                               reinterpret_cast<const uint8_t*>(packed.get()), chunk.bytes,
+                               reinterpret_cast<uint8_t*>(records.get()), bytes, line.message())))
     source_.refuse(chunk.offset, "chunk %zu of the compressed points: %s", number + 1, line.text);
   return records;
 }

@@ -40,7 +40,7 @@ const uint8_t* as_bytes(const std::byte* bytes) { return reinterpret_cast<const 
 template <class F>
 void encode(const std::string& path, F&& call) {
   char line[300] = {};
-  if (call(JcMessage{line, sizeof line}) != 0)
+  if (has_failed(call(JcMessage{line, sizeof line})))
     fail(Status::kInternal, "%s: the points cannot be compressed: %s", path.c_str(), line);
 }
 

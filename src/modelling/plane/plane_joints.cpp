@@ -125,6 +125,17 @@ class Sharing {
     return out;
   }
 
+  // Two corners of the face became one vertex: its outline meets itself there.
+  bool pinches(const FaceKey& face) const {
+    for (const auto& [root, members] : members_) {
+      const auto of_face = std::count_if(members.begin(), members.end(), [&](const CornerKey& key) {
+        return FaceKey{std::get<0>(key), std::get<1>(key)} == face;
+      });
+      if (of_face > 1) return true;
+    }
+    return false;
+  }
+
  private:
   Vec3 place(const EdgeJoint& joint, const Joined& face, size_t corner) const {
     return planes_[joint.plane].frame.lift(face.face.outline.corners[corner]);
@@ -222,7 +233,8 @@ std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes,
   // 3. What is sound after all that is taken over; vertices of the rest are no longer shared.
   for (auto& [key, face] : joined) {
     VectorPlane& plane = planes[key.first];
-    if (is_sound(face.face, kChordOfSpacing * plane.spacing_m)) plane.faces[key.second] = face.face;
+    if (!sharing.pinches(key) && is_sound(face.face, kChordOfSpacing * plane.spacing_m))
+      plane.faces[key.second] = face.face;
   }
   return shared;
 }

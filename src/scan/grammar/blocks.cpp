@@ -38,7 +38,8 @@ PlannedOpening gateway(Dice& dice, double u, double width_m, double height_m, bo
 void plan_apartments(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(12, 22, 4, 6);
-  k.storeys(floors, dice.length(2.8, 3.6), dice.length(2.6, 2.9));
+  const double upper_m = dice.length(2.6, 2.9), ground_m = dice.length(2.8, 3.6);
+  k.storeys(floors, ground_m, upper_m);
   const size_t wall = k.wall("wall 1", 0, jalon::contour_of({0, front, 0, k.eaves() + 0.5}));
   const std::vector<double> axes = k.axes_by(0.4, front - 0.4, 2.6, 3.8);
   const int door = dice.count(0, static_cast<int>(axes.size()) - 1);
@@ -56,11 +57,15 @@ void plan_apartments(Sketch& k) {
   tall.has_sill = false;
   for (size_t i = 0; i < axes.size(); ++i) {
     const double u = axes[i];
-    if (static_cast<int>(i) == door)
-      k.open(wall, entrance(dice, u, dice.length(1.0, 1.4), dice.length(2.1, 2.4)));
-    else if (has_garages)
-      k.open(wall, gateway(dice, u, dice.length(2.2, 2.5), dice.length(2.0, 2.3), false));
-    else k.window(wall, window, u, 0);
+    if (static_cast<int>(i) == door) {
+      const double high = dice.length(2.1, 2.4), wide = dice.length(1.0, 1.4);
+      k.open(wall, entrance(dice, u, wide, high));
+    } else if (has_garages) {
+      const double high = dice.length(2.0, 2.3), wide = dice.length(2.2, 2.5);
+      k.open(wall, gateway(dice, u, wide, high, false));
+    } else {
+      k.window(wall, window, u, 0);
+    }
     if (static_cast<int>(i) == door && dice.chance(0.5)) k.niche(wall, u + 1.1, 0.8, 0.6, 1.0);
     const bool has_balcony = dice.chance(0.55), is_solid = dice.chance(0.5);
     const double reach = dice.length(0.9, 1.5);
@@ -84,7 +89,8 @@ void plan_apartments(Sketch& k) {
 void plan_offices(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(14, 22, 3, 6);
-  k.storeys(floors, dice.length(3.4, 4.2), dice.length(3.1, 3.5));
+  const double upper_m = dice.length(3.1, 3.5), ground_m = dice.length(3.4, 4.2);
+  k.storeys(floors, ground_m, upper_m);
   const size_t wall = k.wall("wall 1", 0, jalon::contour_of({0, front, 0, k.eaves() + 0.8}));
   const bool has_ribbons = dice.chance(0.35);
   const std::vector<double> axes =
@@ -129,7 +135,8 @@ void plan_offices(Sketch& k) {
 void plan_loggias(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(12, 20, 3, 5);
-  k.storeys(floors, dice.length(3.4, 4.2), dice.length(2.8, 3.2));
+  const double upper_m = dice.length(2.8, 3.2), ground_m = dice.length(3.4, 4.2);
+  k.storeys(floors, ground_m, upper_m);
   const size_t wall = k.wall("wall 1", 0, jalon::contour_of({0, front, 0, k.eaves() + 0.4}));
   const std::vector<double> axes = k.axes_by(0.4, front - 0.4, 2.8, 4.2);
   const double bay = (front - 0.8) / static_cast<double>(axes.size());
@@ -144,11 +151,15 @@ void plan_loggias(Sketch& k) {
   k.plan().rooms_from_m = depth + 0.4;
   for (size_t i = 0; i < axes.size(); ++i) {
     const double u = axes[i];
-    if (i == gate)
-      k.open(wall, gateway(dice, u, std::min(bay - 0.6, dice.length(2.2, 3.2)),
-                           dice.length(2.5, 3.0), dice.chance(0.6)));
-    else if (dice.chance(0.3)) k.door(wall, u, dice.length(0.9, 1.4), 2.2, 0.25);
-    else k.window(wall, s, u, 0);
+    if (i == gate) {
+      const bool is_arched = dice.chance(0.6);
+      const double high = dice.length(2.5, 3.0), wide = dice.length(2.2, 3.2);
+      k.open(wall, gateway(dice, u, std::min(bay - 0.6, wide), high, is_arched));
+    } else if (dice.chance(0.3)) {
+      k.door(wall, u, dice.length(0.9, 1.4), 2.2, 0.25);
+    } else {
+      k.window(wall, s, u, 0);
+    }
     const bool has_loggias = dice.chance(0.5);
     for (int storey = 1; storey < floors; ++storey) {
       if (!has_loggias) {
@@ -175,7 +186,9 @@ void plan_loggias(Sketch& k) {
 void plan_mansard(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(10, 18, 4, 6);
-  k.storeys(floors, dice.length(3.6, 4.4), dice.length(3.0, 3.5), dice.between(0.94, 0.98));
+  const double shrink = dice.between(0.94, 0.98), upper_m = dice.length(3.0, 3.5),
+               ground_m = dice.length(3.6, 4.4);
+  k.storeys(floors, ground_m, upper_m, shrink);
   const double eaves = k.eaves();
   const size_t wall = k.wall("wall 1", 0, jalon::contour_of({0, front, 0, eaves}));
   const std::vector<double> axes = k.axes_by(0.4, front - 0.4, 2.1, 2.9);

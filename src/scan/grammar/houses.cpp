@@ -45,12 +45,14 @@ void ground_floor(Sketch& k, size_t wall, const WindowStyle& style,
   const bool has_shop = dice.chance(0.2);
   for (size_t i = 0; i < axes.size(); ++i) {
     if (i == door) {
-      k.door(wall, axes[i], dice.length(0.9, 1.4), dice.length(2.1, 2.7), dice.between(0.1, 0.4));
+      const double deep = dice.between(0.1, 0.4), high = dice.length(2.1, 2.7),
+                   wide = dice.length(0.9, 1.4);
+      k.door(wall, axes[i], wide, high, deep);
       continue;
     }
     if (has_shop) {
-      k.shop_front(wall, axes[i] - 0.85, axes[i] + 0.85, dice.length(2.2, 2.6),
-                   dice.between(0.05, 0.25));
+      const double deep = dice.between(0.05, 0.25), high = dice.length(2.2, 2.6);
+      k.shop_front(wall, axes[i] - 0.85, axes[i] + 0.85, high, deep);
       continue;
     }
     WindowStyle low = style;
@@ -109,7 +111,9 @@ void trimmings(Sketch& k, size_t wall, double u0, double u1, double top_v) {
 void plan_town_house(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(6, 15, 3, 5);
-  k.storeys(floors, dice.length(3.2, 4.0), dice.length(2.8, 3.4), dice.between(0.93, 1));
+  const double shrink = dice.between(0.93, 1), upper_m = dice.length(2.8, 3.4),
+               ground_m = dice.length(3.2, 4.0);
+  k.storeys(floors, ground_m, upper_m, shrink);
   const size_t wall = house(k, 0, front, 0, floors);
   if (dice.chance(0.35)) k.sign(wall, 0.5, front / 2, k.floor(1) - 0.6, k.floor(1) - 0.15);
   k.finish();
@@ -121,7 +125,8 @@ void plan_town_house(Sketch& k) {
 void plan_terrace(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(14, 22, 2, 4);
-  k.storeys(floors, dice.length(3.0, 3.6), dice.length(2.7, 3.2));
+  const double upper_m = dice.length(2.7, 3.2), ground_m = dice.length(3.0, 3.6);
+  k.storeys(floors, ground_m, upper_m);
   const int houses = std::max(1, std::min(dice.count(3, 4), static_cast<int>(front / 4)));
   std::vector<double> ys;
   for (int i = 0; i < houses; ++i) {
@@ -145,7 +150,8 @@ void plan_terrace(Sketch& k) {
 void plan_gabled(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(7, 12, 2, 3);
-  k.storeys(floors, dice.length(2.8, 3.3), dice.length(2.6, 3.0));
+  const double upper_m = dice.length(2.6, 3.0), ground_m = dice.length(2.8, 3.3);
+  k.storeys(floors, ground_m, upper_m);
   const double eaves = k.eaves();
   const double rise = front * dice.between(0.3, 0.55), ridge = front * dice.between(0.35, 0.65);
   const bool has_steps = dice.chance(0.25);

@@ -11,7 +11,8 @@ namespace jalon::grammar {
 void plan_wings(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(16, 24, 2, 4);
-  k.storeys(floors, dice.length(3.4, 4.2), dice.length(3.0, 3.5));
+  const double upper_m = dice.length(3.0, 3.5), ground_m = dice.length(3.4, 4.2);
+  k.storeys(floors, ground_m, upper_m);
   const double eaves = k.eaves();
   const double wing = front * dice.between(0.25, 0.35);
   const double back = dice.length(0.3, 1.6) * (dice.chance(0.75) ? 1 : -1);

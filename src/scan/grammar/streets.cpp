@@ -28,7 +28,8 @@ WindowStyle street_style(Dice& dice) {
 void plan_shops(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(8, 22, 1, 3);
-  k.storeys(floors, dice.length(3.6, 4.6), dice.length(2.9, 3.3));
+  const double upper_m = dice.length(2.9, 3.3), ground_m = dice.length(3.6, 4.6);
+  k.storeys(floors, ground_m, upper_m);
   const double top = k.eaves() + (floors == 1 ? dice.length(0.5, 1.5) : 0.4);
   const size_t wall = k.wall("wall 1", 0, jalon::contour_of({0, front, 0, top}));
   const std::vector<double> shops = k.axes_by(0.3, front - 0.3, 3.2, 5.5);
@@ -65,7 +66,8 @@ void plan_shops(Sketch& k) {
 void plan_arcade(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(12, 20, 2, 4);
-  k.storeys(floors, dice.length(4.0, 4.8), dice.length(3.0, 3.4));
+  const double upper_m = dice.length(3.0, 3.4), ground_m = dice.length(4.0, 4.8);
+  k.storeys(floors, ground_m, upper_m);
   const size_t wall = k.wall("wall 1", 0, jalon::contour_of({0, front, 0, k.eaves() + 0.3}));
   const double passage = dice.length(2.5, 4);
   k.plan().rooms_from_m = 0.5;
@@ -110,7 +112,8 @@ void plan_arcade(Sketch& k) {
 void plan_factory(Sketch& k) {
   Dice& dice = k.dice();
   const auto [front, floors] = k.sizes(14, 24, 1, 3);
-  k.storeys(floors, dice.length(4.2, 5.5), dice.length(3.5, 4.2));
+  const double upper_m = dice.length(3.5, 4.2), ground_m = dice.length(4.2, 5.5);
+  k.storeys(floors, ground_m, upper_m);
   const double top = k.eaves() + 0.6;
   const size_t wall = k.wall("wall 1", 0, jalon::contour_of({0, front, 0, top}));
   const std::vector<double> axes = k.axes_by(0.4, front - 0.4, 3.6, 6);

@@ -65,9 +65,10 @@ void add_occluders(const Plan& plan, uint64_t seed, SceneBuilder& out) {
   const int bushes = dice.chance(0.3) ? dice.count(1, 2 * share) : 0;
   for (int i = 0; i < bushes; ++i) {
     const double radius = dice.between(0.35, 0.8);
-    add_crown(out, unwanted,
-              {dice.between(0, width), -radius - dice.between(0.25, 0.8), 0.8 * radius}, radius,
-              dice.between(0.7, 0.95), {seed, kLeavesStream + 500 + static_cast<uint64_t>(i)});
+    const double share_of_leaves = dice.between(0.7, 0.95);
+    const Vec3 middle{dice.between(0, width), -radius - dice.between(0.25, 0.8), 0.8 * radius};
+    add_crown(out, unwanted, middle, radius, share_of_leaves,
+              {seed, kLeavesStream + 500 + static_cast<uint64_t>(i)});
   }
   double x = dice.between(-2, 2);
   for (int i = 0; i < cars; ++i, x += dice.between(5.5, 8))
@@ -75,9 +76,12 @@ void add_occluders(const Plan& plan, uint64_t seed, SceneBuilder& out) {
   for (int i = 0; i < people; ++i)
     add_pedestrian(out, unwanted, {dice.between(0, width), -dice.between(0.6, 6), 0});
   if (posts > 0) out.part("posts", "post", unwanted);
-  for (int i = 0; i < posts; ++i)
-    out.cylinder({dice.between(0, width), -dice.between(1.2, 1.7), 0}, dice.between(0.04, 0.09),
-                 dice.chance(0.5) ? 1.0 : dice.between(3, 6), 24);
+  for (int i = 0; i < posts; ++i) {
+    const double height = dice.chance(0.5) ? 1.0 : dice.between(3, 6);
+    const double radius = dice.between(0.04, 0.09);
+    const Vec3 foot{dice.between(0, width), -dice.between(1.2, 1.7), 0};
+    out.cylinder(foot, radius, height, 24);
+  }
 }
 
 }  // namespace jalon::grammar

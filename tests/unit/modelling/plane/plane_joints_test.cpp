@@ -110,3 +110,28 @@ TEST_CASE("joints: a face that would meet its opening keeps its edges") {
   p.join();
   CHECK(nearest(p.corners(0), {5.03, 0, 0}) < 1e-12);
 }
+
+TEST_CASE("joints: two corners of one outline never become one vertex") {
+  // A flat roof with a slit that reaches its eaves, where a wall ends: both banks of the slit are near the wall's end.
+  for (const double lean : {0.0, 0.0017, -0.0023, 0.0101}) {
+    CAPTURE(lean);
+    Planes p;
+    p.add({lean, 0.001, 1}, {0, 0, 3}, {0, 0.01}, {4, 2});
+    p.add({0.002, -1, lean}, {0, 0, 0}, {0, 0}, {2.012, 2.99});
+    VectorRing& roof = p.planes[0].faces[0].outline;
+    const Vec2 o = roof.corners[0];
+    roof.corners = {o,
+                    o + Vec2{2.0, 0},
+                    o + Vec2{2.0, 1},
+                    o + Vec2{2.025, 1},
+                    o + Vec2{2.025, 0},
+                    o + Vec2{4, 0},
+                    o + Vec2{4, 2},
+                    o + Vec2{0, 2}};
+    roof.edges.resize(8);
+    const auto shared = p.join();
+    const std::vector<Vec3> corners = p.corners(0);
+    for (size_t i = 0; i < corners.size(); ++i)
+      for (size_t j = 0; j < i; ++j) CHECK(norm(corners[i] - corners[j]) > 1e-6);
+  }
+}

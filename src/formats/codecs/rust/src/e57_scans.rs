@@ -3,6 +3,7 @@
 
 //! E57: scans with their poses, and their records as numbers, column by column of the prototype.
 
+use crate::reserve::was_refused;
 use crate::{guarded, silence_panics, Message};
 use e57::{E57Reader, PointCloud, PointCloudReaderRaw, RecordDataType, RecordName, RecordValue};
 use std::ffi::{c_char, c_void, CString};
@@ -23,6 +24,9 @@ struct File {
 
 impl Read for File {
     fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        if was_refused() {
+            return Err(Error::from(ErrorKind::OutOfMemory));
+        }
         let count = (self.source.read)(
             self.source.context,
             self.at,

@@ -4,6 +4,7 @@
 //! E57 written: scans with their poses, from rows of numbers.
 
 use crate::e57_scans::{ScanColumn, INTEGER, SCALED, SINGLE};
+use crate::reserve::was_refused;
 use crate::{guarded, silence_panics, Message};
 use e57::{
     E57Writer, Extension, PointCloudWriter, Quaternion, Record, RecordDataType, RecordName,
@@ -28,6 +29,9 @@ struct File {
 
 impl Read for File {
     fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        if was_refused() {
+            return Err(Error::from(ErrorKind::OutOfMemory));
+        }
         let wanted = (out.len() as u64).min(self.size.saturating_sub(self.at));
         if wanted == 0 {
             return Ok(0);
@@ -43,6 +47,9 @@ impl Read for File {
 
 impl Write for File {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if was_refused() {
+            return Err(Error::from(ErrorKind::OutOfMemory));
+        }
         let count = bytes.len() as u64;
         if (self.sink.write)(self.sink.context, self.at, bytes.as_ptr(), count) < 0 {
             return Err(Error::from(ErrorKind::Other));

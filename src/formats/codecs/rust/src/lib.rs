@@ -7,8 +7,15 @@ mod e57_scans;
 mod e57_writing;
 mod laz_chunks;
 mod laz_packing;
+mod reserve;
 
 use std::panic::{catch_unwind, AssertUnwindSafe};
+
+#[global_allocator]
+static MEMORY: reserve::WithReserve = reserve::WithReserve;
+
+/// As in ../codecs.h.
+const OUT_OF_MEMORY: i32 = 2;
 
 /// Where a failed call leaves its line, NUL-terminated and cut to fit.
 #[repr(C)]
@@ -34,9 +41,15 @@ impl Message {
     }
 }
 
-/// 0, or 1 with the reason in the message. A panic is a reason too: of damaged bytes, mostly.
+/// 0, or 1 with the reason in the message, or 2 where memory was refused. A panic is a reason too: of
+/// damaged bytes, mostly.
 fn guarded(message: &Message, work: impl FnOnce() -> Result<(), String>) -> i32 {
-    match catch_unwind(AssertUnwindSafe(work)) {
+    reserve::forget();
+    let done = catch_unwind(AssertUnwindSafe(work));
+    if reserve::was_refused() {
+        return OUT_OF_MEMORY;
+    }
+    match done {
         Ok(Ok(())) => 0,
         Ok(Err(text)) => {
             message.put(&text);

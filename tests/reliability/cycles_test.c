@@ -1,0 +1,60 @@
+/* SPDX-FileCopyrightText: 2026 The Jalon authors
+ * SPDX-License-Identifier: Apache-2.0 */
+/* A host that runs for days: small jobs through the whole surface, over and over, and the process stays as large as it
+ * was. The long run makes ten times as many. */
+#include "allocation_scenarios.h"
+
+#include "folder_state.h"
+
+enum { kMostGrowthKib = 1024 };
+
+static int cycles(void) { return is_full_run() ? 1000 : is_sanitized() ? 3 : 60; }
+
+static long resident_kib(void) {
+  long pages = 0, resident = 0;
+  FILE* const f = fopen("/proc/self/statm", "r");
+  if (f == NULL || fscanf(f, "%ld %ld", &pages, &resident) != 2) fail_msg("no memory figures");
+  fclose(f);
+  return resident * (sysconf(_SC_PAGESIZE) / 1024);
+}
+
+static void run_all(int turn) {
+  for (int job = 0; job < kScenarioCount; ++job)
+    if (kScenarios[job].run() != JALON_OK)
+      fail_msg("%s, turn %d: %s", kScenarios[job].name, turn, jalon_last_error_message());
+}
+
+static void cycles__of_the_whole_surface_keep_no_memory(void** state) {
+  (void)state;
+  const int warm = cycles() / 3;
+  for (int i = 0; i < warm; ++i) run_all(i);
+  const int descriptors = open_descriptors();
+  const long before = resident_kib();
+  for (int i = 0; i < cycles(); ++i) run_all(warm + i);
+  const long grown = resident_kib() - before;
+  printf("FIGURE cycles: %d turns of %d jobs, %ld KiB more\n", cycles(), (int)kScenarioCount,
+         grown);
+  assert_int_equal(open_descriptors(), descriptors);
+  if (!is_sanitized()) assert_true(grown <= kMostGrowthKib);
+}
+
+static int make_input(void** state) {
+  (void)state;
+  snprintf(small_folder, sizeof small_folder, "%s", temporary("cycles"));
+  make_folder(small_folder);
+  street_points(small_xyz, kSmall, 12, 0, 0);
+  MUST(jalon_task_create(&small_task));
+  return 0;
+}
+static int drop_input(void** state) {
+  (void)state;
+  jalon_task_release(small_task);
+  return rmdir(small_folder);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(cycles__of_the_whole_surface_keep_no_memory),
+  };
+  return cmocka_run_group_tests(tests, make_input, drop_input);
+}
