@@ -87,6 +87,13 @@
  *   "ifc_wall_thickness_m", solids behind them that the openings cut. The property set "Jalon_Precision" has evidence,
  *   confidence, sigma and measures, "Jalon_Measured" area and volume. A CRS with an EPSG code in metres becomes the map
  *   conversion. Equal models give equal bytes.
+ * - GeoPackage 1.3 (gpkg), written by a library with SQLite (else JALON_ERROR_UNSUPPORTED): layers "faces" and
+ *   "openings" (polygons in space), "elevation" (the facades unrolled side by side as in "dxf_view" = "elevation", z
+ *   before their front, openings behind the faces), "plan" (upright faces as lines where they are cut
+ *   "gpkg_plan_height_m" above the foot of their facade, and the openings in their gaps), "mesh" (triangles of no
+ *   face). Columns tell class, name, facade, evidence, confidence, measures, area, sigma and normal. The srs_id is the
+ *   EPSG code of the CRS, 100000 for another WKT 1 in metres, else -1: a local Cartesian system. Equal models give
+ *   equal bytes. The file is made in memory.
  * - OBJ (obj), written and read: faces as polygons and triangles, openings stay open; outlines as lines; the tree of
  *   parts in comments that other programs pass over, so that our own files come back with faces, holes, parts and
  *   solids. Files of others are meshes with groups as parts, or a face for each polygon ("polygons" = "faces").

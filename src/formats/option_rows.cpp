@@ -7,6 +7,7 @@
 #include "base/setting_rows.h"
 #include "formats/codecs/codecs.h"
 #include "formats/formats.h"
+#include "formats/geopackage/sqlite_database.h"
 #include "formats/registry.h"
 
 // What users read about formats, made from the registry when the library is compiled.
@@ -47,28 +48,28 @@ constexpr void add_ability(FixedText& text, std::string_view what, bool reads, b
   if (writes) text.add(" write");
 }
 
-constexpr FixedText abilities_of(const Format& format, bool with_codecs) {
+constexpr FixedText abilities_of(const Format& format, unsigned components) {
   FixedText text;
-  if (format.by_codecs && !with_codecs) return text;
+  if ((format.component & ~components) != 0) return text;
   add_ability(text, "cloud", format.read_cloud != nullptr, format.write_cloud != nullptr);
   add_ability(text, "model", format.read_model != nullptr, format.write_model != nullptr);
   add_ability(text, "drawing", false, format.is_drawing);
   return text;
 }
 
-/// The table as users see it, of a library with or without the optional decoders.
-template <bool with_codecs>
+/// The table as users see it, of a library with these optional components.
+template <unsigned components>
 constexpr auto kAbilities = [] {
   std::array<FixedText, kCount> all{};
-  for (size_t i = 0; i < kCount; ++i) all[i] = abilities_of(kFormats[i], with_codecs);
+  for (size_t i = 0; i < kCount; ++i) all[i] = abilities_of(kFormats[i], components);
   return all;
 }();
 
-template <bool with_codecs>
+template <unsigned components>
 constexpr auto kInfos = [] {
   std::array<FormatInfo, kCount> all{};
   for (size_t i = 0; i < kCount; ++i)
-    all[i] = {kFormats[i].name, kFormats[i].extensions, kAbilities<with_codecs>[i].bytes.data()};
+    all[i] = {kFormats[i].name, kFormats[i].extensions, kAbilities<components>[i].bytes.data()};
   return all;
 }();
 
@@ -111,7 +112,7 @@ constexpr auto kWriteRows = setting_rows(
         "decimals", -1, 17, "", "text",
         "Decimals of the coordinates; -1: as many as give the same number back"),
     number_row<&WriteSettings::chord_error_m>(
-        "chord_error_m", 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf,glb,ifc",
+        "chord_error_m", 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf,glb,ifc,gpkg",
         "Largest distance of the chords that stand for an arc, where a format knows no arcs"),
     choice_row<&WriteSettings::dxf_version>(
         "dxf_version", "r12|r2000", "dxf",
@@ -130,14 +131,19 @@ constexpr auto kWriteRows = setting_rows(
         "ifc_wall_thickness_m", 0, 10, "m", "ifc",
         "Walls as solids of this thickness behind their measured surfaces, cut by their openings; "
         "0: the surfaces alone, "
-        "with holes, since a scan of the outside tells no thickness"));
+        "with holes, since a scan of the outside tells no thickness"),
+    number_row<&WriteSettings::gpkg_plan_height_m>(
+        "gpkg_plan_height_m", 0, 1000, "m", "gpkg",
+        "Height above the foot of each facade at which the lines of the plan cut it"));
 
 }  // namespace
 
 std::span<const ParamRow> read_rows() { return kReadRows; }
 std::span<const ParamRow> write_rows() { return kWriteRows; }
 std::span<const FormatInfo> formats() {
-  return has_codecs() ? std::span<const FormatInfo>(kInfos<true>) : kInfos<false>;
+  using Table = std::span<const FormatInfo>;
+  if (has_codecs()) return has_sqlite() ? Table(kInfos<kCodecs | kSqlite>) : kInfos<kCodecs>;
+  return has_sqlite() ? Table(kInfos<kSqlite>) : kInfos<kNoComponent>;
 }
 
 }  // namespace jalon

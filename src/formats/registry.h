@@ -13,6 +13,7 @@
 #include "formats/e57/e57.h"
 #include "formats/files/byte_source.h"
 #include "formats/geojson/geojson.h"
+#include "formats/geopackage/geopackage.h"
 #include "formats/glb/glb.h"
 #include "formats/ifc/ifc.h"
 #include "formats/las/las.h"
@@ -34,6 +35,13 @@ enum class Content {
   kCertain,  ///< all: every file begins with a mark, and one named so without it is refused
   kSome,     ///< some files are known by it whatever their name; the others by their extension
   kText,     ///< that it is plain text, like that of other formats: asked when all else is silent
+};
+
+/// What a library may have been built without, a bit each.
+enum Component : unsigned {
+  kNoComponent = 0,
+  kCodecs = 1,  ///< the decoders of formats/codecs
+  kSqlite = 2,
 };
 
 /// A function that a format has, or none. That it is there is a flag: under its sanitizer of
@@ -72,9 +80,9 @@ struct Format {
   bool keeps_stations = false;  ///< its files have a place for all stations of a cloud
   bool keeps_station = false;   ///< that of a cloud with one
   bool knows_units = false;     ///< its reader heeds the option "unit" and what the file says of it
-  bool reads_as_another = false;  ///< by the reader of a row before, which users name instead
-  bool is_drawing = false;        ///< written by the room report
-  bool by_codecs = false;         ///< of a component that may not have been built
+  bool reads_as_another = false;       ///< by the reader of a row before, which users name instead
+  bool is_drawing = false;             ///< written by the room report
+  Component component = kNoComponent;  ///< that it needs
 
   constexpr bool can_read() const { return read_cloud != nullptr || read_model != nullptr; }
   constexpr bool can_write() const { return write_cloud != nullptr || write_model != nullptr; }
@@ -90,7 +98,7 @@ inline constexpr Format kFormats[] = {
      .read_cloud = read_las,
      .write_cloud = write_laz,
      .knows_units = true,
-     .by_codecs = true},
+     .component = kCodecs},
     {.name = "E57",
      .keyword = "e57",
      .extensions = "e57",
@@ -100,7 +108,7 @@ inline constexpr Format kFormats[] = {
      .read_cloud = read_e57,
      .write_cloud = write_e57,
      .keeps_stations = true,
-     .by_codecs = true},
+     .component = kCodecs},
     {.name = "LAS",
      .keyword = "las",
      .extensions = "las",
@@ -179,6 +187,11 @@ inline constexpr Format kFormats[] = {
      .write_model = write_geojson},
     {.name = "glTF", .keyword = "glb", .extensions = "glb", .write_model = write_glb},
     {.name = "IFC", .keyword = "ifc", .extensions = "ifc", .write_model = write_ifc},
+    {.name = "GeoPackage",
+     .keyword = "gpkg",
+     .extensions = "gpkg",
+     .write_model = write_geopackage,
+     .component = kSqlite},
     {.name = "SVG", .keyword = "", .extensions = "svg", .is_drawing = true},
 };
 

@@ -39,6 +39,7 @@ struct WriteSettings {
   StlForm stl_format = StlForm::kBinary;
   double city_scale_m = 0.0001;
   double ifc_wall_thickness_m = 0;  ///< 0 = the measured surfaces
+  double gpkg_plan_height_m = 1.2;  ///< above sills, below the lintels of doors
 };
 
 }  // namespace jalon

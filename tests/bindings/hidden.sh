@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-# Runs a command where the system's FCL, libccd and OctoMap are empty files, as on a machine without them: hidden.sh COMMAND ...
+# Runs a command where the system's FCL, libccd, OctoMap and SQLite are empty files, as on a machine without them: hidden.sh COMMAND ...
 # 77 where this user may not make such a place (a mount namespace).
 set -uo pipefail
 if [ "${1:-}" != --inside ]; then
@@ -12,7 +12,7 @@ if [ "${1:-}" != --inside ]; then
 fi
 shift
 empty=$(mktemp)
-for library in $(/sbin/ldconfig -p | grep -oE '/\S*/lib(fcl|ccd|octomap|octomath)\.so\S*' | xargs -r readlink -f | sort -u); do
+for library in $(/sbin/ldconfig -p | grep -oE '/\S*/lib(fcl|ccd|octomap|octomath|sqlite3)\.so\S*' | xargs -r readlink -f | sort -u); do
   mount --bind "$empty" "$library" || exit 77
 done
 rm "$empty"

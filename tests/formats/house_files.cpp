@@ -8,6 +8,7 @@
 #include "base/json_writer.h"
 #include "formats/files/atomic_file.h"
 #include "formats/formats.h"
+#include "formats/geopackage/sqlite_database.h"
 #include "unit/formats/house.h"
 
 using namespace jalon;
@@ -67,9 +68,11 @@ void write_all(const Model& model, const std::string& folder) {
       {"model.ply", nullptr, nullptr},
       {"model.ifc", nullptr, nullptr},
       {"solid.ifc", nullptr, nullptr},
+      {"model.gpkg", nullptr, nullptr},
   };
   Task task;
   for (const File& file : kFiles) {
+    if (std::string_view(file.name) == "model.gpkg" && !has_sqlite()) continue;
     ParamSet options("write", write_rows());
     if (file.option != nullptr) options.set_text(file.option, file.value);
     auto settings = settings_from<WriteSettings>(options);

@@ -187,7 +187,8 @@ int main(int argc, char** argv) {
                                           {"ascii.stl", "stl_format", "ascii"},
                                           {"model.ply", NULL, NULL},
                                           {"model.ifc", NULL, NULL},
-                                          {"solid.ifc", NULL, NULL}};
+                                          {"solid.ifc", NULL, NULL},
+                                          {"model.gpkg", NULL, NULL}};
   if (argc != 4 && argc != 5) return 2;
   jalon_model* model = argc == 5 ? changes_between(argv[4], argv[1]) : model_of(argv[1], argv[2]);
   for (size_t i = 0; i < sizeof kFiles / sizeof *kFiles; ++i)

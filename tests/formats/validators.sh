@@ -61,23 +61,28 @@ fi
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
+# count WHAT COMMAND ...: adds the sum that the command's last line says.
+count() {
+  local what=$1
+  shift
+  "$@" >"$work/counts"
+  sed -E 's/^[0-9]+ passed, /  &/' "$work/counts" # indented: the sum at the end is what counts
+  if [[ $(tail -n 1 "$work/counts") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
+    passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
+  else
+    failed=$((failed + 1)); echo "not ok - $what: the checks did not end"
+  fi
+}
 # check NAME COMMAND ...: the command fills a folder with the files of a model, which are then looked at.
 check() {
-  local name=$1 folder=$work/$1 counts
+  local name=$1 folder=$work/$1
   shift
   mkdir -p "$folder"
   if ! "$@" "$folder"; then
     failed=$((failed + 1)); echo "not ok - $name: no files"
     return
   fi
-  PYTHONWARNINGS=ignore "$python" "$here/check_files.py" "$name" "$folder" $cjval >"$work/counts"
-  sed -E 's/^[0-9]+ passed, /  &/' "$work/counts" # indented: the sum at the end is what counts
-  counts=$(tail -n 1 "$work/counts")
-  if [[ $counts =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
-    passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
-  else
-    failed=$((failed + 1)); echo "not ok - $name: the checks did not end"
-  fi
+  count "$name" env PYTHONWARNINGS=ignore "$python" "$here/check_files.py" "$name" "$folder" $cjval
 }
 
 programs=$build/tests/formats
@@ -102,15 +107,6 @@ for day in 1 4; do
   "$build/src/jalon" scan --quiet --scene earthworks --scene-set "$grid" --scene-set day=$day --method sample \
     --set points=300000 --set seed=$day -o "$work/day$day.las" || { failed=$((failed + 1)); echo "not ok - no scan of day $day"; }
 done
-check_glb() {
-  node "$here/check_glb.js" "$gltf" "$@" >"$work/glb"
-  sed -E 's/^[0-9]+ passed, /  &/' "$work/glb"
-  if [[ $(tail -n 1 "$work/glb") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
-    passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
-  else
-    failed=$((failed + 1)); echo "not ok - glTF: the checks did not end"
-  fi
-}
 # The models above as glTF: those with parts by way of CityJSON, the earth's mesh as OBJ.
 if [ -n "$gltf" ]; then
   files=()
@@ -118,15 +114,9 @@ if [ -n "$gltf" ]; then
     "$build/src/jalon" convert --quiet "$work/$name/model.city.json" "$work/$name/model.glb" && files+=("$work/$name/model.glb") ||
       { failed=$((failed + 1)); echo "not ok - $name: no glTF"; }
   done
-  check_glb "${files[@]}"
+  count glTF node "$here/check_glb.js" "$gltf" "${files[@]}"
 fi
-"$python" "$here/check_dxf_read.py" "$build/src/jalon" "$work" >"$work/drawings"
-sed -E 's/^[0-9]+ passed, /  &/' "$work/drawings"
-if [[ $(tail -n 1 "$work/drawings") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
-  passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
-else
-  failed=$((failed + 1)); echo "not ok - the checks of drawings by ezdxf did not end"
-fi
+count "drawings by ezdxf" "$python" "$here/check_dxf_read.py" "$build/src/jalon" "$work"
 # IFC by ifcopenshell, in the long run: its installation is large.
 if [ -n "${JALON_FULL:-}" ]; then
   bim=$build/bim
@@ -134,16 +124,22 @@ if [ -n "${JALON_FULL:-}" ]; then
     { python3 -m venv "$bim" && "$bim/bin/pip" install --disable-pip-version-check ifcopenshell numpy pytest; } >>"$log" 2>&1
   if "$bim/bin/python" -c "import ifcopenshell, numpy, pytest" 2>/dev/null; then
     for name in house facade arches solids outlines; do
-      "$bim/bin/python" "$here/check_ifc.py" "$name" "$work/$name" >"$work/ifc"
-      sed -E 's/^[0-9]+ passed, /  &/' "$work/ifc"
-      if [[ $(tail -n 1 "$work/ifc") =~ ^([0-9]+)\ passed,\ ([0-9]+)\ failed ]]; then
-        passed=$((passed + BASH_REMATCH[1])) failed=$((failed + BASH_REMATCH[2]))
-      else
-        failed=$((failed + 1)); echo "not ok - $name: the checks of IFC did not end"
-      fi
+      count "IFC of $name" "$bim/bin/python" "$here/check_ifc.py" "$name" "$work/$name"
     done
   else
     miss ifcopenshell
+  fi
+fi
+# GeoPackage by Debian's GDAL, in the long run too: pyogrio has neither validate_gpkg nor GDAL's Python.
+if [ -n "${JALON_FULL:-}" ]; then
+  . "$here/../../examples/packages.sh"
+  need_packages gdal-bin python3-gdal >>"$log" 2>&1
+  if /usr/bin/python3 -c "from osgeo import ogr" 2>>"$log"; then
+    for name in house facade arches solids outlines; do
+      count "GeoPackage of $name" /usr/bin/python3 "$here/check_gpkg.py" "$name" "$work/$name"
+    done
+  else
+    miss python3-gdal
   fi
 fi
 changed() { "$programs/scan_files" "$work/day4.las" changes "$1" "$work/day1.las"; }

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The library and the tool for Windows: mingw.sh [BUILD_FOLDER]
 # Compiled by Debian's cross compiler without a warning, and run by Wine where that is installed, which is not Windows itself.
-# Without FCL, which Debian has for its own system alone.
+# Without FCL and SQLite, which Debian has for its own system alone.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/builds.sh"
@@ -22,7 +22,7 @@ cp -r /usr/share/eigen3/cmake "$headers/share/eigen3/"
 
 configured() {
   cmake -S "$root" -B "$build" -DCMAKE_TOOLCHAIN_FILE="$here/mingw.cmake" -DJALON_HEADERS="$headers" -DCMAKE_BUILD_TYPE=Release \
-    -DJALON_WERROR=ON -DJALON_WITH_FCL=OFF -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$headers/include"
+    -DJALON_WERROR=ON -DJALON_WITH_FCL=OFF -DJALON_WITH_SQLITE=OFF -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$headers/include"
 }
 check "is configured" configured
 [ $failed -eq 0 ] || finish

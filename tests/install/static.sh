@@ -17,7 +17,7 @@ archive=$(find "$prefix" -name libjalon.a)
 alone() { [ -n "$archive" ] && ! find "$prefix" -name '*.so*' -o -name 'libjalon_*' | grep .; }
 check "one archive, and no shared library beside it" alone
 
-# Nothing of Jalon is left for the loader; FCL and libccd, which Debian has as shared libraries alone, are.
+# Nothing of Jalon is left for the loader; FCL and libccd, which Debian has as shared libraries alone, and SQLite are.
 stands_alone() { [ "$("$1")" = "jalon $release" ] && ! readelf -d "$1" | grep 'NEEDED.*jalon'; }
 by_pkg_config() {
   export PKG_CONFIG_PATH=${archive%/*}/pkgconfig

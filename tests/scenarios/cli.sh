@@ -59,7 +59,7 @@ check "scan --help lists scenes and both methods" bash -c "'$jalon' scan --help 
 check "--quiet is silent" bash -c "[ -z \"\$('$jalon' scan --scene facade -o quiet.las --quiet --set horizontal_step_rad=0.005 --set vertical_step_rad=0.005 2>&1)\" ]"
 check "info tells points and box" bash -c "'$jalon' info sample.las | grep -q '^points' && '$jalon' info sample.las | grep -q '^max'"
 check "info --json is JSON" bash -c "'$jalon' info sample.las --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"points\"]>100000, d'"
-check "formats lists extensions and abilities" bash -c "'$jalon' formats | grep -qE '^PCD +\.pcd +read write +-$' && '$jalon' formats --json | python3 -c 'import json,sys; f={x[\"name\"]: x for x in json.load(sys.stdin)[\"formats\"]}; assert f[\"PTX\"][\"clouds\"]==[\"read\"] and f[\"DXF\"][\"models\"]==[\"read\",\"write\"] and f[\"IFC\"][\"models\"]==[\"write\"], f'"
+check "formats lists extensions and abilities" bash -c "'$jalon' formats | grep -qE '^PCD +\.pcd +read write +-$' && '$jalon' formats --json | python3 -c 'import json,sys; f={x[\"name\"]: x for x in json.load(sys.stdin)[\"formats\"]}; assert f[\"PTX\"][\"clouds\"]==[\"read\"] and f[\"DXF\"][\"models\"]==[\"read\",\"write\"] and f[\"IFC\"][\"models\"]==f[\"GeoPackage\"][\"models\"]==[\"write\"], f'"
 check "convert LAS to PLY" "$jalon" convert sample.las sample.ply
 check "convert PLY to XYZ" "$jalon" convert quiet.las quiet.xyz
 check "convert XYZ to LAS keeps the points" bash -c "'$jalon' convert quiet.xyz back.las --quiet && [ \$('$jalon' info back.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') -eq \$('$jalon' info quiet.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') ]"

@@ -135,7 +135,7 @@ TEST_CASE("formats__where_the_option_names_a_format_that_cannot_do_it_the_option
   to.format = "csv";
   says(failure_of([&] { write_model(one_triangle(), folder.file("a.las"), to, task); }),
        "no model can be written in format \"csv\", which the option \"format\" names; there are: "
-       "ply, obj, stl, cityjson, dxf, geojson, glb, ifc");
+       "ply, obj, stl, cityjson, dxf, geojson, glb, ifc, gpkg");
   CHECK(folder.entries() == 0);
   write(random_points(3, 1), folder.file("a.las"));
   ReadSettings from;

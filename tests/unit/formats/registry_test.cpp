@@ -9,6 +9,7 @@
 
 #include "base/setting_rows.h"
 #include "formats/codecs/codecs.h"
+#include "formats/geopackage/sqlite_database.h"
 #include "unit/formats/opened_file.h"
 
 using namespace jalon;
@@ -45,14 +46,15 @@ TEST_CASE("registry__choices_of_the_options_are_the_formats_that_have_the_functi
   CHECK(std::string(read_rows()[0].choices) ==
         "auto|laz|e57|las|ply|pcd|ptx|pts|text|obj|stl|cityjson|dxf");
   CHECK(std::string(write_rows()[0].choices) ==
-        "auto|laz|e57|las|ply|pcd|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc");
+        "auto|laz|e57|las|ply|pcd|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc|gpkg");
 }
 
 TEST_CASE("registry__every_choice_reads_or_writes_something") {
   Task task;
   const Folder folder;
   for (const Format& format : kFormats) {
-    if (format.by_codecs && !has_codecs()) continue;
+    if (format.component == kCodecs && !has_codecs()) continue;
+    if (format.component == kSqlite && !has_sqlite()) continue;
     CAPTURE(format.name);
     WriteSettings settings;
     settings.format = format.keyword;
@@ -76,7 +78,9 @@ TEST_CASE("registry__abilities_follow_from_the_functions") {
                      "OBJ: obj: model read write", "STL: stl: model read write",
                      "CityJSON: city.json cityjson json: model read write",
                      "DXF: dxf: model read write", "GeoJSON: geojson: model write",
-                     "glTF: glb: model write", "IFC: ifc: model write", "SVG: svg: drawing write"});
+                     "glTF: glb: model write", "IFC: ifc: model write",
+                     std::string("GeoPackage: gpkg: ") + (has_sqlite() ? "model write" : ""),
+                     "SVG: svg: drawing write"});
 }
 
 TEST_CASE("registry__rows_are_whole") {
@@ -91,7 +95,8 @@ TEST_CASE("registry__rows_are_whole") {
 }
 
 TEST_CASE("registry__messages_list_what_the_rows_can") {
-  CHECK(refusal("a.geojson", "{}", true) == "GeoJSON, glTF and IFC are written, not read");
+  CHECK(refusal("a.geojson", "{}", true) ==
+        "GeoJSON, glTF, IFC and GeoPackage are written, not read");
   CHECK(refusal("a", "\x01\x02", false) ==
         "neither LAZ, E57, LAS, PLY, PCD, PTX, PTS, OBJ, STL, CityJSON, DXF nor text");
   CHECK(refusal("a.obj", "v 0 0 0\n", false) ==
@@ -104,7 +109,7 @@ TEST_CASE("registry__messages_list_what_the_rows_can") {
         "xyz, txt, asc, csv");
   CHECK(refusal_to_write("a.svg", true) ==
         "no format of extension \"svg\" can be written; there are: ply, obj, stl, city.json, "
-        "cityjson, json, dxf, geojson, glb, ifc");
+        "cityjson, json, dxf, geojson, glb, ifc, gpkg");
 }
 
 TEST_CASE("registry__content_with_a_mark_outweighs_the_name_and_a_name_weaker_signs") {
