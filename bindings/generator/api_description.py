@@ -168,6 +168,7 @@ OPERATION = {
     "jalon_segmentation_pick": "pick",
     "jalon_report_write_elevation": "elevation",
     "jalon_report_write_picture": "picture",
+    "jalon_report_write_orthoimage": "orthoimage",
     "jalon_report_write_html": "report",
     "jalon_report_write_json": "report",
     "jalon_report_write_deviations": "deviation_picture",

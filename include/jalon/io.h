@@ -68,7 +68,8 @@
  *   arcs are bulges (2 sagitta / chord) with the face's extrusion direction; triangles of a mesh are 3DFACEs.
  *   Application data (JALON) names face, part, class, evidence and depth. "dxf_view" = "elevation" draws the facades
  *   flattened, 1:1: x from the left end of the facade, y the height of the model; several facades stand side by side, 2
- *   m apart; faces seen edge-on are left out.
+ *   m apart; faces seen edge-on are left out. "dxf_images" shows orthoimages of
+ *   facades (jalon_report_write_orthoimage) in either view of AutoCAD 2000: a link to each file, in its place.
  * - CityJSON 2.0 (city.json, json), written and read (1.0 and 1.1 too): a Building for each part of that class, with a
  *   MultiSurface, and a Solid for each solid; semantic surfaces WallSurface, Window and Door (children of the wall
  *   whose hole they fill), ClosureSurface (other openings), RoofSurface, GroundSurface. A window of which the

@@ -47,6 +47,25 @@ JALON_API JALON_CHECK jalon_status
 jalon_report_write_picture(const jalon_segmentation* segmentation, const char* path,
                            const jalon_params* options, jalon_task* task);
 /**
+ * Orthoimage of a facade in true scale: its points seen along the horizontal of its front plane (the largest wall), a
+ * pixel showing the mean of those nearest to the viewer: their colour where the cloud has one, else their intensity,
+ * else their distance before the plane (blue behind, red before it). Points far before or behind the plane are left
+ * out; pixels without points have no data. By the extension of the path:
+ *
+ * - png: with transparent pixels where there are no data, and a world file of the same name with extension pgw, whose
+ *   coordinates are those of the elevation drawing (x from the left end of the first facade, several side by side; y
+ *   the height): "dxf_images" of operation "write" links it into a drawing.
+ * - tif, tiff: GeoTIFF in the same coordinates, a local system in metres: colours in 8 bits with alpha, else intensity
+ *   or distance (m) as float32 with a no-data value.
+ *
+ * Operation "orthoimage". JALON_ERROR_DEGENERATE for a model whose facade has no upright face,
+ * JALON_ERROR_INVALID_ARGUMENT for a facade that the model does not have, JALON_ERROR_LIMIT for more than
+ * 64 million pixels. O(points + pixels).
+ */
+JALON_API JALON_CHECK jalon_status
+jalon_report_write_orthoimage(const jalon_segmentation* segmentation, const jalon_model* model,
+                              const char* path, const jalon_params* options, jalon_task* task);
+/**
  * One self-contained HTML page: what was read, parameters, the planes with size, normal, sigma and
  * inliers, the spheres and cylinders with radius and its sigma, times, the elevations, the picture
  * of the labelled points and the residual histogram; of a model the types of its openings, each

@@ -40,6 +40,7 @@
 #include "report/pages/adjustment_report.h"
 #include "report/pages/registration_report.h"
 #include "report/pictures/deviation_picture.h"
+#include "report/pictures/orthoimage.h"
 #include "report/pictures/picture.h"
 #include "report/report.h"
 #include "scan/mobile/drive_scenario.h"
@@ -77,6 +78,7 @@ std::span<const Operation> operations() {
       {"elevation", elevation_rows},
       {"report", report_rows},
       {"picture", picture_rows},
+      {"orthoimage", orthoimage_rows},
       {"labels", labels_rows},
       {"evaluation", evaluation_rows},
       {"confusion", confusion_rows},

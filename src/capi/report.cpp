@@ -6,6 +6,7 @@
 #include "capi/support/model_handles.h"
 #include "capi/support/report_files.h"
 #include "capi/support/worker_handles.h"
+#include "report/pictures/ortho_files.h"
 #include "report/pictures/picture.h"
 #include "report/report.h"
 
@@ -47,6 +48,21 @@ jalon_status jalon_report_write_picture(const jalon_segmentation* segmentation, 
       const Segmentation& s = *segmentation->segmentation;
       write_whole(target,
                   is_png(target) ? picture_png(s, settings, t) : picture_svg(s, settings, t));
+    });
+  });
+}
+
+jalon_status jalon_report_write_orthoimage(const jalon_segmentation* segmentation,
+                                           const jalon_model* model, const char* path,
+                                           const jalon_params* options, jalon_task* task) {
+  return guard([&] {
+    require(segmentation, "segmentation");
+    require(model, "model");
+    const std::string target = require_text(path, "path");
+    const auto settings =
+        settings_from<OrthoimageSettings>(options_or_default(options, "orthoimage"));
+    with_task(task, [&](Task& t) {
+      write_orthoimage(*segmentation->segmentation->cloud, *model->model, settings, target, t);
     });
   });
 }

@@ -188,7 +188,8 @@ std::string tables_of_facade() {
   make_segmenter("ransac", planes);
   return "Parameters of --segment-set (or --set; planes):\n" + describe(planes.get()) + "\n" +
          modeller_tables("--model-set") + "Parameters of --drawing-set:\n" +
-         describe(make_params("elevation").get()) +
+         describe(make_params("elevation").get()) + "\nParameters of --orthoimage-set:\n" +
+         describe(make_params("orthoimage").get()) +
          "\nParameters of --scanner-set (precision of the scanner):\n" +
          describe(make_params("precision").get());
 }

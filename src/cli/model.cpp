@@ -165,6 +165,7 @@ void add_model(Command& app) {
   command.footer([] {
     return modeller_tables("--model-set (or --set)") + segmenter_tables("--segment-set") +
            "Parameters of --drawing-set:\n" + describe(make_params("elevation").get()) +
+           "\nParameters of --orthoimage-set:\n" + describe(make_params("orthoimage").get()) +
            "\nParameters of --scanner-set (precision of the scanner):\n" +
            describe(make_params("precision").get()) +
            "\nExamples:\n  jalon model scan.las -o result\n"

@@ -63,6 +63,14 @@ Json told(jalon_params* params) {
   return out;
 }
 
+// What "dxf_images" takes.
+std::string png_list(const std::vector<std::string>& names, const OutputFolder& folder) {
+  std::string list;
+  for (const std::string& name : names)
+    if (name.ends_with(".png")) list += (list.empty() ? "" : "|") + folder.unlisted_path(name);
+  return list;
+}
+
 void write_relations(const Console& console, jalon_model* model, const std::string& of,
                      const std::string& path) {
   const Params options = make_params("relations");
@@ -100,9 +108,57 @@ std::string modeller_tables(const std::string& option) {
                                  jalon_modeller_params);
 }
 
+void Orthoimages::add_to(Command& command) {
+  command
+      .option("--orthoimage", kind,
+              "Orthoimage of each facade: png with a world file, linked into model.dxf; tif: "
+              "GeoTIFF; both; none")
+      .among({"png", "tif", "both", "none"})
+      .shows_default()
+      .type_name("KIND");
+  settings.add_to(command, "orthoimage-");
+}
+
+void Orthoimages::check() const { settings.apply(make_params("orthoimage").get()); }
+
+std::vector<std::string> Orthoimages::write(const Console& console,
+                                            jalon_segmentation* segmentation, jalon_model* model,
+                                            uint64_t facades, OutputFolder& folder) const {
+  std::vector<std::string> names;
+  const Params options = make_params("orthoimage");
+  settings.apply(options.get());
+  int64_t only = 0;
+  must(jalon_params_get_int64(options.get(), "facade", &only));
+  const bool each = only == 0 && facades > 1;
+  const auto write_one = [&](const std::string& stem, const std::string& extension) {
+    const jalon_status status = jalon_report_write_orthoimage(
+        segmentation, model, folder.unlisted_path(stem + extension).c_str(), options.get(),
+        console.task());
+    if (status == JALON_ERROR_DEGENERATE || status == JALON_ERROR_INSUFFICIENT_DATA) {
+      console.warn(stem + extension + " is left out: " + jalon_last_error_message());
+      return;
+    }
+    must(status);
+    for (const std::string& name : {stem + extension, stem + ".pgw"})
+      if (name.ends_with(extension) || extension == ".png") {
+        folder.path(name);
+        names.push_back(name);
+      }
+  };
+  for (const char* extension : {".png", ".tif"}) {
+    if (kind != "both" && extension != "." + kind) continue;
+    for (uint64_t k = each ? 1 : 0; k <= (each ? facades : 0); ++k) {
+      if (each) must(jalon_params_set_int64(options.get(), "facade", static_cast<int64_t>(k)));
+      write_one(each ? "orthoimage_" + std::to_string(k) : "orthoimage", extension);
+    }
+  }
+  return names;
+}
+
 void ModelFiles::add_to(Command& command) {
   drawing.add_to(command, "drawing-");
   scanner.add_to(command, "scanner-");
+  orthoimages.add_to(command);
   command
       .option(
           "--relations", relations,
@@ -115,6 +171,7 @@ void ModelFiles::add_to(Command& command) {
 void ModelFiles::check() const {
   drawing.apply(make_params("elevation").get());
   scanner.apply(make_params("precision").get());
+  orthoimages.check();
 }
 
 void ModelFiles::note_scanner(jalon_cloud* cloud, Json& notes) const {
@@ -134,11 +191,16 @@ std::vector<std::string> ModelFiles::write(const Console& console, jalon_segment
                                            jalon_model* model, const std::string& source,
                                            OutputFolder& folder) const {
   std::vector<std::string> names;
+  const auto images = orthoimages.write(console, segmentation, model, facades_of(model), folder);
+  const Params linking = make_params("write");
+  must(jalon_params_set_string(linking.get(), "dxf_images", png_list(images, folder).c_str()));
   for (const char* extension : kExtensions) {
     if (!is_written(extension)) continue;
     names.push_back(std::string("model.") + extension);
-    must(jalon_model_write(model, folder.path(names.back()).c_str(), nullptr, console.task()));
+    must(
+        jalon_model_write(model, folder.path(names.back()).c_str(), linking.get(), console.task()));
   }
+  names.insert(names.end(), images.begin(), images.end());
   const Params options = make_params("elevation");
   must(jalon_params_set_string(options.get(), "source",
                                std::filesystem::path(source).filename().string().c_str()));

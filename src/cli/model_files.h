@@ -19,10 +19,25 @@ Modeller make_modeller(const std::string& method, Params& params);
 std::string segmenter_tables(const std::string& option);
 std::string modeller_tables(const std::string& option);
 
+/// Orthoimages of the facades of a model: orthoimage.png with its world file, orthoimage.tif; orthoimage_1.png ...
+/// where there are several facades.
+struct Orthoimages {
+  Settings settings;         ///< of operation "orthoimage"
+  std::string kind = "png";  ///< "png", "tif", "both" or "none"
+
+  void add_to(Command& command);
+  /// Refuses wrong parameters, before a long read.
+  void check() const;
+  /// Facades without a front or points are passed over. Returns the names of the files.
+  std::vector<std::string> write(const Console& console, jalon_segmentation* segmentation,
+                                 jalon_model* model, uint64_t facades, OutputFolder& folder) const;
+};
+
 /// Files of a model: what "facade" and "model" both write.
 struct ModelFiles {
-  Settings drawing;       ///< of operation "elevation"
-  Settings scanner;       ///< of operation "precision"; none: not told
+  Settings drawing;  ///< of operation "elevation"
+  Settings scanner;  ///< of operation "precision"; none: not told
+  Orthoimages orthoimages;
   std::string relations;  ///< "parts", "faces" or "solids": relations.csv too; "": not asked for
 
   void add_to(Command& command);
@@ -31,7 +46,8 @@ struct ModelFiles {
   /// The notes of a report with what was told of the scanner. Refuses it for a cloud without stations.
   void note_scanner(jalon_cloud* cloud, nlohmann::ordered_json& notes) const;
   /// model.obj, model.dxf ...: each vector format that the library writes; elevation.svg of the whole, elevation_1.svg
-  /// ... of each facade where there are several; relations.csv where asked for. Returns their names.
+  /// ... of each facade where there are several; orthoimages, which model.dxf shows; relations.csv where asked for.
+  /// Returns their names.
   std::vector<std::string> write(const Console& console, jalon_segmentation* segmentation,
                                  jalon_model* model, const std::string& source,
                                  OutputFolder& folder) const;

@@ -45,6 +45,10 @@ OutputFolder::~OutputFolder() {
 
 std::string OutputFolder::path(const std::string& name) {
   names_.push_back(name);
+  return unlisted_path(name);
+}
+
+std::string OutputFolder::unlisted_path(const std::string& name) const {
   return (private_ / name).string();
 }
 

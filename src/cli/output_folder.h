@@ -22,6 +22,8 @@ class OutputFolder {
 
   /// Where to write the file of this name for now.
   std::string path(const std::string& name);
+  /// The same for a file that may come to nothing: path() takes it when it is there.
+  std::string unlisted_path(const std::string& name) const;
   void commit();
 
  private:

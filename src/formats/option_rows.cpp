@@ -121,6 +121,10 @@ constexpr auto kWriteRows = setting_rows(
         "dxf_view", "world|elevation", "dxf",
         "world: faces where they are in space; elevation: the facades flattened into the drawing "
         "plane, 1:1 in metres, x along the facade, y the height"),
+    string_row<&WriteSettings::dxf_images>(
+        "dxf_images", "dxf",
+        "Orthoimages of facades that the drawing links: PNG files with a world file (pgw) beside "
+        "each, separated by |; those in the drawing's folder by their name alone"),
     choice_row<&WriteSettings::stl_format>(
         "stl_format", "binary|ascii", "stl",
         "binary: float32, less whole metres that its header names where coordinates are large; "

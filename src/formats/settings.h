@@ -36,6 +36,7 @@ struct WriteSettings {
   double chord_error_m = 0.001;
   DxfVersion dxf_version = DxfVersion::kR2000;
   DxfView dxf_view = DxfView::kWorld;
+  std::string dxf_images;  ///< PNG files with world files, separated by '|'
   StlForm stl_format = StlForm::kBinary;
   double city_scale_m = 0.0001;
   double ifc_wall_thickness_m = 0;  ///< 0 = the measured surfaces

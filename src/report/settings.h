@@ -47,6 +47,7 @@ struct ReportSettings {
   int64_t bins = 60;  ///< of the histogram of residuals
   bool drawing = true;
   bool picture = true;
+  bool orthoimage = true;
   int64_t viewer_points = kViewerPoints;
 };
 

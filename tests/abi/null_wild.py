@@ -63,6 +63,7 @@ BASE = {
     "jalon_params_set_doubles.count": "0", "jalon_cloud_crop_polygon.w_min": "-100.0",
     "jalon_cloud_read.path": 'fx_path("scan.las")', "jalon_cloud_write.path": 'fx_path("out.las")',
     "jalon_model_read.path": 'fx_path("model.obj")', "jalon_model_write.path": 'fx_path("out.obj")',
+    "jalon_report_write_orthoimage.path": 'fx_path("orthoimage.png")',
     "jalon_report_write_elevation.path": 'fx_path("out.svg")', "jalon_report_write_html.path": 'fx_path("out.html")',
     "jalon_cloud_write_depth_map.path": 'fx_path("depth.png")',
     "jalon_report_write_deviations.path": 'fx_path("distances.svg")',

@@ -283,11 +283,12 @@ static jalon_status scenario_report(void) {
   TRY(jalon_report_write_html(segmentation, model, notes, small_path("a.html"), NULL, small_task));
   TRY(jalon_report_write_json(segmentation, model, notes, small_path("a.json"), NULL, small_task));
   TRY(jalon_report_write_picture(segmentation, small_path("a.png"), NULL, small_task));
+  TRY(jalon_report_write_orthoimage(segmentation, model, small_path("b.png"), NULL, small_task));
   jalon_model_release(model);
   jalon_segmentation_release(segmentation);
   jalon_cloud_release(cloud);
   remove(small_path("a.svg")), remove(small_path("a.html")), remove(small_path("a.json"));
-  remove(small_path("a.png"));
+  remove(small_path("a.png")), remove(small_path("b.png")), remove(small_path("b.pgw"));
   return status;
 }
 

@@ -32,7 +32,8 @@ static int make_folder(void** state) {
 
 static int remove_folder(void** state) {
   (void)state;
-  const char* names[] = {"a.svg", "a.html", "a.json", "b.svg", "b.html", "b.json", "b.PNG"};
+  const char* names[] = {"a.svg", "a.html", "a.json", "b.svg", "b.html", "b.json",
+                         "b.PNG", "o.png",  "o.pgw",  "o.tif", "o.html"};
   for (size_t i = 0; i < sizeof names / sizeof *names; ++i) remove(in_folder(names[i]));
   return rmdir(folder);
 }
@@ -108,6 +109,36 @@ static void report__failures_leave_the_old_file_alone(void** state) {
           jalon_report_write_elevation(scene.segmentation, NULL, in_folder("a.svg"), NULL, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT,
           jalon_report_write_json(scene.segmentation, model, NULL, NULL, NULL, NULL));
+  jalon_model_release(model);
+  release_scene(&scene);
+}
+
+static void report__writes_an_orthoimage_of_the_wall_with_its_world_file(void** state) {
+  (void)state;
+  wall_scene scene = make_wall_scene();
+  jalon_model* model = model_of_scene(&scene);
+  jalon_params* options = NULL;
+  MUST(jalon_params_create("orthoimage", &options));
+  MUST(jalon_params_set_double(options, "pixel_m", 0.125));
+  MUST(jalon_report_write_orthoimage(scene.segmentation, model, in_folder("o.png"), options, NULL));
+  MUST(jalon_report_write_orthoimage(scene.segmentation, model, in_folder("o.tif"), NULL, NULL));
+  char *png = text_of_file(in_folder("o.png")), *world = text_of_file(in_folder("o.pgw"));
+  char *tiff = text_of_file(in_folder("o.tif")), *page = NULL;
+  assert_true(memcmp(png, "\x89PNG\r\n\x1a\n", 8) == 0);
+  assert_true(memcmp(tiff, "II*\0", 4) == 0);
+  assert_true(strncmp(world, "0.125\n0\n0\n-0.125\n", 17) == 0);
+  MUST(jalon_report_write_html(scene.segmentation, model, NULL, in_folder("o.html"), NULL, NULL));
+  page = text_of_file(in_folder("o.html"));
+  assert_non_null(strstr(page, ">Orthoimage<"));
+  REFUSED(JALON_ERROR_UNSUPPORTED,
+          jalon_report_write_orthoimage(scene.segmentation, model, in_folder("o.jpg"), NULL, NULL));
+  MUST(jalon_params_set_int64(options, "facade", 9));
+  REFUSED(
+      JALON_ERROR_INVALID_ARGUMENT,
+      jalon_report_write_orthoimage(scene.segmentation, model, in_folder("p.png"), options, NULL));
+  assert_null(fopen(in_folder("p.png"), "rb"));
+  free(png), free(world), free(tiff), free(page);
+  jalon_params_release(options);
   jalon_model_release(model);
   release_scene(&scene);
 }
@@ -222,6 +253,7 @@ int main(void) {
       cmocka_unit_test(report__draws_a_facade_model_with_dimensions_and_the_given_source),
       cmocka_unit_test(report__tells_parts_openings_and_precision),
       cmocka_unit_test(report__writes_drawing_page_and_json),
+      cmocka_unit_test(report__writes_an_orthoimage_of_the_wall_with_its_world_file),
       cmocka_unit_test(report__options_set_title_and_scale),
       cmocka_unit_test(report__failures_leave_the_old_file_alone),
   };

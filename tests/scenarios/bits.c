@@ -89,6 +89,8 @@ static void model_and_files(const jalon_cloud* cloud, uint64_t seed, jalon_task*
   tell("model.city.json", seed, hash_file("m.city.json"));
   MUST(jalon_report_write_elevation(out.segmentation, model, temporary("e.svg"), NULL, task));
   tell("elevation.svg", seed, hash_file("e.svg"));
+  MUST(jalon_report_write_orthoimage(out.segmentation, model, temporary("o.png"), NULL, task));
+  tell("orthoimage.png", seed, hash_file("o.png"));
   MUST(jalon_segmentation_cloud(out.segmentation, &out.cloud));
   MUST(jalon_cloud_write(out.cloud, temporary("s.las"), NULL, task));
   tell("segments.las", seed, hash_file("s.las"));

@@ -77,11 +77,12 @@ for file in report.html trajectory.txt cloud.las cloud.ply model.obj adjustment.
 check "clean removes and thins" "$jalon" clean sample.las -o clean.ply --outliers --voxel 0.05
 check "normals writes normals" bash -c "'$jalon' normals quiet.las -o normals.ply --set orientation=centroid && head -c 2000 normals.ply | grep -aq 'property float nx'"
 check "facade writes its files" "$jalon" facade sample.las -o result
-for file in report.html report.json elevation.svg model.obj segments.las segments.ply; do check "facade made $file" test -s result/$file; done
+for file in report.html report.json elevation.svg orthoimage.png model.obj segments.las segments.ply; do check "facade made $file" test -s result/$file; done
 check "facade leaves what it names and no private folder" bash -c "'$jalon' facade sample.las -o named --json | python3 -c '
 import json,os,sys
 d=json.load(sys.stdin)
 assert sorted(os.listdir(\"named\"))==sorted(d[\"files\"]), d[\"files\"]'"
+check "facade shows its orthoimage in the drawing and the report" bash -c "grep -q '^orthoimage.png' result/model.dxf && [ \$(wc -l <result/orthoimage.pgw) -eq 6 ] && grep -q '>Orthoimage<' result/report.html"
 files=$(ls -A result | wc -l)
 check "the report is self-contained" bash -c "! grep -qE '(src|href)=\"(https?:|//|/)' result/report.html"
 # A scan whose file tells no station: through text, whose stations stand in a file beside it.
@@ -244,7 +245,7 @@ check "each of several facades has its drawing, in the report too" bash -c "'$ja
 import json,re,sys
 d=json.load(sys.stdin)
 n=d[\"model\"][\"parts\"][\"facade\"]
-assert n>1 and all(\"elevation_%d.svg\" % k in d[\"files\"] for k in range(1,n+1)) and \"elevation_%d.svg\" % (n+1) not in d[\"files\"], d[\"files\"]
+assert n>1 and all(name % k in d[\"files\"] for k in range(1,n+1) for name in (\"elevation_%d.svg\",\"orthoimage_%d.png\",\"orthoimage_%d.pgw\")) and \"elevation_%d.svg\" % (n+1) not in d[\"files\"], d[\"files\"]
 page=open(\"lycee/report.html\").read()
 assert all(page.count(\"facade %d</\" % k) for k in range(1,n+1))
 ids=re.findall(r\"id=.([a-z-]+[0-9]*)\",page)

@@ -4,6 +4,7 @@
 
 #include "base/crc32.h"
 #include "formats/files/deflate.h"
+#include "formats/files/deflate_blocks.h"
 
 namespace jalon {
 
@@ -22,6 +23,16 @@ void add_chunk(std::string& out, std::string_view type, std::string_view content
   out += big_endian(crc32(0, body.data(), body.size()));
 }
 
+// Signature and header of a picture of 8 bits a sample.
+std::string beginning(uint32_t width, uint32_t height, char colour_type) {
+  constexpr char kBitDepth = 8;
+  std::string header = big_endian(width) + big_endian(height);
+  header += {kBitDepth, colour_type, 0, 0, 0};
+  std::string out = "\x89PNG\r\n\x1a\n";
+  add_chunk(out, "IHDR", header);
+  return out;
+}
+
 }  // namespace
 
 std::string hex_of(const Rgb& colour) {
@@ -35,9 +46,7 @@ std::string hex_of(const Rgb& colour) {
 }
 
 std::string png_of(const IndexedImage& image) {
-  constexpr char kBitDepth = 8, kPaletteColour = 3, kFilterNone = 0;
-  std::string header = big_endian(image.width) + big_endian(image.height);
-  header += {kBitDepth, kPaletteColour, 0, 0, 0};
+  constexpr char kPaletteColour = 3, kFilterNone = 0;
   std::string palette;
   for (const Rgb& c : image.palette)
     palette += {static_cast<char>(c.red), static_cast<char>(c.green), static_cast<char>(c.blue)};
@@ -48,12 +57,29 @@ std::string png_of(const IndexedImage& image) {
     rows.append(reinterpret_cast<const char*>(image.pixels.data()) + size_t{y} * image.width,
                 image.width);
   }
-  std::string out = "\x89PNG\r\n\x1a\n";
-  add_chunk(out, "IHDR", header);
+  std::string out = beginning(image.width, image.height, kPaletteColour);
   add_chunk(out, "PLTE", palette);
   if (!image.description.empty())
     add_chunk(out, "tEXt", std::string("Description\0", 12) + image.description);
   add_chunk(out, "IDAT", zlib_of(rows, image.width + size_t{1}));
+  add_chunk(out, "IEND", {});
+  return out;
+}
+
+std::string png_of(const RgbaImage& image, Task& task) {
+  constexpr char kTrueColourWithAlpha = 6, kFilterSub = 1;
+  constexpr size_t kSamples = 4;
+  const size_t row_bytes = kSamples * image.width;
+  std::string rows;
+  rows.reserve((row_bytes + 1) * image.height);
+  for (size_t y = 0; y < image.height; ++y) {
+    rows += kFilterSub;
+    const uint8_t* row = image.pixels.data() + y * row_bytes;
+    for (size_t i = 0; i < row_bytes; ++i)
+      rows += static_cast<char>(row[i] - (i >= kSamples ? row[i - kSamples] : 0));
+  }
+  std::string out = beginning(image.width, image.height, kTrueColourWithAlpha);
+  add_chunk(out, "IDAT", zlib_blocks(rows, task));
   add_chunk(out, "IEND", {});
   return out;
 }

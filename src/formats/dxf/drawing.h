@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/task.h"
+#include "formats/dxf/linked_image.h"
 #include "formats/dxf/text.h"
 #include "model/model.h"
 
@@ -61,6 +62,8 @@ struct Drawing {
   std::vector<Label> labels;
   std::vector<std::array<uint32_t, 3>> triangles;  ///< of the model's vertices
   std::vector<uint32_t> triangle_layers;
+  std::vector<LinkedImage> images;  ///< behind all others
+  uint32_t image_layer = 0;
   Box3 box;
   Vec3 view_direction{0, 0, 1};  ///< from the drawing to the viewer, for the window it opens in
 };

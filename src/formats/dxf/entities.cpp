@@ -135,6 +135,27 @@ void add_label(Text& text, const Label& label, const Layer& layer, uint64_t& nex
   text.point(11, at).point(210, label.normal).subclass("AcDbText").group(73, kMiddle);
 }
 
+ImageHandles image_handles(const Drawing& drawing, size_t image) {
+  const uint64_t first = kFirstFree + drawing.layers.all().size() + 3 * image;
+  return {first, first + 1, first + 2};
+}
+
+void add_image(Text& text, const Drawing& drawing, size_t i) {
+  constexpr int kShown = 1 + 2, kTransparent = 8, kRectangle = 1, kMiddleOfScale = 50;
+  const LinkedImage& image = drawing.images[i];
+  const ImageHandles handles = image_handles(drawing, i);
+  begin_entity(text, "IMAGE", drawing.layers.all()[drawing.image_layer], handles.entity);
+  text.subclass("AcDbRasterImage").group(90, 0);
+  text.point(10, image.at).point(11, image.right).point(12, image.up);
+  text.group(13, double(image.columns)).group(23, double(image.rows));
+  text.handle(340, handles.definition).group(70, kShown + kTransparent).group(280, 0);
+  text.group(281, kMiddleOfScale).group(282, kMiddleOfScale).group(283, 0);
+  text.handle(360, handles.reactor).group(71, kRectangle).group(91, 2);
+  // The whole picture: from half a pixel before the middle of the first to half a pixel behind that of the last.
+  text.group(14, -0.5).group(24, -0.5);
+  text.group(14, image.columns - 0.5).group(24, image.rows - 0.5);
+}
+
 void add_triangle(Text& text, const std::array<Vec3, 3>& corners, const Layer& layer,
                   uint64_t& next_handle) {
   begin_entity(text, "3DFACE", layer, next_handle++);

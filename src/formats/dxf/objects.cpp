@@ -14,7 +14,7 @@ struct DictionaryEntry {
 };
 
 void begin_dictionary(Text& text, const char* kind, Handle own, Handle owner,
-                      std::initializer_list<DictionaryEntry> entries) {
+                      const std::vector<DictionaryEntry>& entries) {
   text.begin(kind, own, owner).group(100, "AcDbDictionary").group(281, 1);
   for (const DictionaryEntry& entry : entries) text.group(3, entry.name).handle(350, entry.handle);
 }
@@ -69,26 +69,64 @@ void add_line_style(Text& text) {
   for (const double offset : {0.5, -0.5}) text.group(49, offset).group(62, 256).group(6, "ByLayer");
 }
 
+// The dictionary of the pictures' definitions, these, and what joins each to its entity.
+void add_images(Text& text, const Drawing& drawing) {
+  constexpr int kReactorVersion = 2, kLoaded = 1, kNoUnits = 0;
+  if (drawing.images.empty()) return;
+  text.begin("DICTIONARY", kImageDictionary, kRootDictionary)
+      .group(100, "AcDbDictionary")
+      .group(281, 1);
+  for (size_t i = 0; i < drawing.images.size(); ++i)
+    text.group(3, "orthoimage_" + std::to_string(i + 1))
+        .handle(350, image_handles(drawing, i).definition);
+  for (size_t i = 0; i < drawing.images.size(); ++i) {
+    const LinkedImage& image = drawing.images[i];
+    const ImageHandles handles = image_handles(drawing, i);
+    text.group(0, "IMAGEDEF").handle(5, handles.definition);
+    text.group(102, "{ACAD_REACTORS")
+        .handle(330, kImageDictionary)
+        .handle(330, handles.reactor)
+        .group(102, "}");
+    text.handle(330, kImageDictionary).group(100, "AcDbRasterImageDef").group(90, 0);
+    text.group(1, image.link).group(10, double(image.columns)).group(20, double(image.rows));
+    const double pixel_m = norm(image.right);
+    text.group(11, pixel_m).group(21, pixel_m).group(280, kLoaded).group(281, kNoUnits);
+    text.begin("IMAGEDEF_REACTOR", handles.reactor, handles.entity)
+        .group(100, "AcDbRasterImageDefReactor")
+        .group(90, kReactorVersion)
+        .handle(330, handles.entity);
+  }
+}
+
 }  // namespace
 
-void add_classes(Text& text) {
+void add_classes(Text& text, const Drawing& drawing) {
   struct Class {
     const char *record, *name, *application;
+    int is_entity = 0;
   };
   constexpr Class kClasses[] = {
       {"ACDBDICTIONARYWDFLT", "AcDbDictionaryWithDefault", "ObjectDBX Classes"},
       {"ACDBPLACEHOLDER", "AcDbPlaceHolder", "ObjectDBX Classes"},
       {"LAYOUT", "AcDbLayout", "ObjectDBX Classes"},
   };
+  constexpr Class kImageClasses[] = {
+      {"IMAGE", "AcDbRasterImage", "ISM", 1},
+      {"IMAGEDEF", "AcDbRasterImageDef", "ISM"},
+      {"IMAGEDEF_REACTOR", "AcDbRasterImageDefReactor", "ISM"},
+  };
+  std::vector<Class> classes(std::begin(kClasses), std::end(kClasses));
+  if (!drawing.images.empty())
+    classes.insert(classes.end(), std::begin(kImageClasses), std::end(kImageClasses));
   text.group(0, "SECTION").group(2, "CLASSES");
-  for (const Class& c : kClasses)
+  for (const Class& c : classes)
     text.group(0, "CLASS")
         .group(1, c.record)
         .group(2, c.name)
         .group(3, c.application)
         .group(90, 0)
         .group(280, 0)
-        .group(281, 0);
+        .group(281, c.is_entity);
   text.group(0, "ENDSEC");
 }
 
@@ -108,11 +146,12 @@ void add_objects(Text& text, const Drawing& drawing) {
   sheet.add({0, 0, 0});
   sheet.add({420, 297, 0});
   text.group(0, "SECTION").group(2, "OBJECTS");
-  begin_dictionary(text, "DICTIONARY", kRootDictionary, Handle{},
-                   {{"ACAD_GROUP", kGroupDictionary},
-                    {"ACAD_LAYOUT", kLayoutDictionary},
-                    {"ACAD_MLINESTYLE", kLineStyleDictionary},
-                    {"ACAD_PLOTSTYLENAME", kPlotStyleDictionary}});
+  std::vector<DictionaryEntry> entries{{"ACAD_GROUP", kGroupDictionary}};
+  if (!drawing.images.empty()) entries.push_back({"ACAD_IMAGE_DICT", kImageDictionary});
+  entries.insert(entries.end(), {{"ACAD_LAYOUT", kLayoutDictionary},
+                                 {"ACAD_MLINESTYLE", kLineStyleDictionary},
+                                 {"ACAD_PLOTSTYLENAME", kPlotStyleDictionary}});
+  begin_dictionary(text, "DICTIONARY", kRootDictionary, Handle{}, entries);
   begin_dictionary(text, "DICTIONARY", kGroupDictionary, kRootDictionary, {});
   begin_dictionary(text, "DICTIONARY", kLayoutDictionary, kRootDictionary,
                    {{"Model", kModelLayout}, {"Layout1", kPaperLayout}});
@@ -123,6 +162,7 @@ void add_objects(Text& text, const Drawing& drawing) {
   text.group(100, "AcDbDictionaryWithDefault").handle(340, kPlotStyleNormal);
   text.begin("ACDBPLACEHOLDER", kPlotStyleNormal, kPlotStyleDictionary);
   add_line_style(text);
+  add_images(text, drawing);
   add_layout(text, "Model", kModelLayout, kModelSpace, 0, box);
   add_layout(text, "Layout1", kPaperLayout, kPaperSpace, 1, sheet);
   text.group(0, "ENDSEC");

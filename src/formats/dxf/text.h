@@ -62,6 +62,7 @@ enum Handle : uint64_t {
   kLineStyleDictionary = 0x17,
   kLineStyleStandard = 0x18,
   kLayoutDictionary = 0x1A,
+  kImageDictionary = 0x1B,
   kModelSpace = 0x1F,
   kModelBlock = 0x20,
   kModelBlockEnd = 0x21,

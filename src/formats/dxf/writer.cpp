@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include "base/error.h"
 #include "formats/dxf/drawing.h"
 #include "formats/dxf/dxf.h"
 #include "formats/dxf/sections.h"
@@ -15,7 +16,7 @@ constexpr size_t kPieceBytes = size_t{1} << 20;  // of text, before it goes to t
 constexpr size_t kTicks = 256;                   // entities between two looks at the task
 
 uint64_t handles_before_entities(const Drawing& drawing) {
-  return kFirstFree + drawing.layers.all().size();
+  return kFirstFree + drawing.layers.all().size() + 3 * drawing.images.size();
 }
 
 /// The first handle behind those of the entities, or one beyond: a polyline takes one for itself, each vertex and its
@@ -34,6 +35,7 @@ void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model
   const std::vector<Layer>& layers = drawing.layers.all();
   const size_t lines = drawing.polylines.size(), total = lines + drawing.triangles.size();
   uint64_t next_handle = handles_before_entities(drawing);
+  for (size_t i = 0; i < drawing.images.size(); ++i) add_image(text, drawing, i);
   for (size_t i = 0; i < total; ++i) {
     if (i % kTicks == 0) task.checkpoint(static_cast<double>(i) / static_cast<double>(total));
     if (i < lines) {
@@ -59,13 +61,19 @@ void write_dxf(const Model& model, const std::string& path, const WriteSettings&
   ProgressSpan span(task, 0, 0.99, "writing DXF");
   validate(model);
   const Version version = settings.dxf_version;
-  const Drawing drawing = settings.dxf_view == DxfView::kElevation
-                              ? draw_elevation(model, settings.chord_error_m, task)
-                              : draw_world(model, task);
+  const bool in_space = settings.dxf_view == DxfView::kWorld;
+  Drawing drawing =
+      in_space ? draw_world(model, task) : draw_elevation(model, settings.chord_error_m, task);
+  if (!settings.dxf_images.empty()) {
+    if (version == Version::kR12)
+      fail(Status::kUnsupported, "%.400s: drawings of release 12 show no images", path.c_str());
+    drawing.images = linked_images(settings.dxf_images, path, model, in_space);
+    drawing.image_layer = drawing.layers.of_class("orthoimage");
+  }
   AtomicFile file(path);
   Text text(version);
   add_header(text, drawing, handles_end(drawing));
-  if (!text.is_r12()) add_classes(text);
+  if (!text.is_r12()) add_classes(text, drawing);
   add_tables(text, drawing);
   add_blocks(text);
   file.write(text.take());

@@ -15,6 +15,7 @@
 #include "report/pages/facade_view.h"
 #include "report/pages/html_frame.h"
 #include "report/pages/html_model.h"
+#include "report/pictures/ortho_files.h"
 #include "report/pictures/picture.h"
 #include "report/report.h"
 #include "report/viewer/view_page.h"
@@ -29,6 +30,8 @@ constexpr auto kReportRows = setting_rows(
                                        "With the elevation drawing, when there is a model"),
     bool_row<&ReportSettings::picture>(
         "picture", "", "With a front view of the points in the colours of their segments"),
+    bool_row<&ReportSettings::orthoimage>(
+        "orthoimage", "", "With an orthoimage of each facade, when there is a model"),
     integer_row<&ReportSettings::viewer_points>("viewer_points", 0, 1e9, "points", "",
                                                 kViewerPointsHelp));
 
@@ -183,6 +186,28 @@ void add_picture(Page& page, const Segmentation& segmentation, Task& task) {
       "planes. Noise, in grey, is shown only where no segment lies.");
 }
 
+// Of each facade that has a front and points near it, in pixels that a page has room for.
+void add_orthoimages(Page& page, const Segmentation& segmentation, const Model& model, Task& task) {
+  const size_t facades = std::min(facade_parts(model).size(), kMostDrawings);
+  const double most_pixels = kOrthoPagePixels / static_cast<double>(std::max<size_t>(facades, 1));
+  std::vector<std::string> figures;
+  for (size_t k = facades > 1 ? 1 : 0; k <= (facades > 1 ? facades : 0); ++k) {
+    OrthoimageSettings settings;
+    settings.facade = static_cast<int64_t>(k);
+    if (const auto image =
+            find_orthoimage(*segmentation.cloud, model, settings, most_pixels, task)) {
+      const std::string name = k == 0 ? "" : " of facade " + std::to_string(k);
+      figures.push_back(orthoimage_svg(*image, "Orthoimage" + name, task));
+    }
+  }
+  if (figures.empty()) return;
+  page.heading(figures.size() > 1 ? "Orthoimages" : "Orthoimage");
+  for (const std::string& figure : figures) page.html().raw(figure);
+  page.note(
+      "The points near the front plane of the facade in true scale, seen along its horizontal. "
+      "Where there are none, the paper shows.");
+}
+
 void add_residuals(Page& page, const Residuals& r) {
   page.heading("Residuals");
   if (r.count == 0) return page.note("No point lies on a plane.");
@@ -210,6 +235,7 @@ std::string report_html(const Segmentation& segmentation, const Model& model,
   add_summary(page, segmentation, notes, residuals, model_text(model, openings));
   if (settings.drawing && !model.faces.empty())
     add_drawings(page, segmentation, model, notes, task);
+  if (settings.orthoimage && !model.faces.empty()) add_orthoimages(page, segmentation, model, task);
   if (settings.picture) add_picture(page, segmentation, task);
   if (settings.viewer_points > 0)
     add_viewer(page, facade_scene(segmentation, model, openings, residuals.half_range_m, task),

@@ -123,6 +123,8 @@ class Segments(unittest.TestCase):
     def python__reports_are_written(self):
         model = jalon.Modeller("outlines").run(box_cloud(), self.segmentation)
         self.assertTrue(self.written("picture.png", lambda p: jalon.report_write_picture(self.segmentation, p)).startswith(b"\x89PNG"))
+        image = self.written("ortho.tif", lambda p: jalon.report_write_orthoimage(self.segmentation, model, p, content="distance"))
+        self.assertTrue(image.startswith(b"II*\0"))
         page = self.written("page.html", lambda p: jalon.report_write_html(self.segmentation, p, model, '{"title": "a <box>"}')).decode()
         self.assertIn("a &lt;box&gt;", page)
         told = json.loads(self.written("page.json", lambda p: jalon.report_write_json(self.segmentation, p)))

@@ -127,3 +127,15 @@ TEST_CASE("png_writer__base64_leads_back_to_any_bytes_and_hex_to_any_colour") {
     CHECK(std::stoul(text.substr(1), nullptr, 16) == colour);
   }
 }
+
+TEST_CASE("png__true_colour_is_told_by_the_differences_along_each_row") {
+  const RgbaImage image{2, 2, {10, 20, 30, 255, 11, 18, 30, 255, 0, 0, 0, 0, 250, 1, 2, 255}};
+  Task task;
+  const std::string png = png_of(image, task);
+  CHECK(png.substr(0, 8) == "\x89PNG\r\n\x1a\n");
+  CHECK(png.substr(16, 10) == std::string("\0\0\0\2\0\0\0\2\x08\x06", 10));
+  const size_t data = png.find("IDAT") + 4, length = png.find("IEND") - 8 - data;
+  const Inflated rows(std::string_view(png).substr(data, length));
+  CHECK(rows.ok);
+  CHECK(rows.text == std::string("\1\x0a\x14\x1e\xff\x01\xfe\0\0\1\0\0\0\0\xfa\x01\x02\xff", 18));
+}

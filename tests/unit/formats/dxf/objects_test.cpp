@@ -60,7 +60,7 @@ TEST_CASE("dxf_objects__every_object_is_an_entry_of_the_dictionary_that_owns_it"
 
 TEST_CASE("dxf_objects__kinds_that_are_not_built_in_are_declared_as_classes") {
   dxf::Text text(Version::kR2000);
-  dxf::add_classes(text);
+  dxf::add_classes(text, {});
   std::set<std::string> declared, used;
   for (const TagItem& item : tag_items(text.take()))
     if (item.kind() == "CLASS") CHECK(declared.insert(item.text(1)).second);

@@ -1,0 +1,225 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "formats/drawings/geotiff_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "formats/files/deflate_blocks.h"
+#include "formats/files/endian.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kStripBytes = size_t{1} << 18;  // before deflation: readers take a strip at a time
+
+enum Type : uint16_t { kAscii = 2, kShort = 3, kLong = 4, kRational = 5, kDouble = 12 };
+
+template <class T>
+void put(std::string& out, T value) {
+  char bytes[sizeof value];
+  store(bytes, value);
+  out.append(bytes, sizeof value);
+}
+
+/// An entry of the directory (TIFF 6.0, section 2); values of at most four bytes stand in it, others behind it.
+struct Entry {
+  uint16_t tag;
+  Type type;
+  uint32_t count;
+  std::string bytes;
+};
+
+Entry shorts(uint16_t tag, std::initializer_list<uint16_t> values) {
+  Entry entry{tag, kShort, static_cast<uint32_t>(values.size()), {}};
+  for (const uint16_t value : values) put(entry.bytes, value);
+  return entry;
+}
+
+Entry longs(uint16_t tag, std::span<const uint32_t> values) {
+  Entry entry{tag, kLong, static_cast<uint32_t>(values.size()), {}};
+  for (const uint32_t value : values) put(entry.bytes, value);
+  return entry;
+}
+
+Entry doubles(uint16_t tag, std::initializer_list<double> values) {
+  Entry entry{tag, kDouble, static_cast<uint32_t>(values.size()), {}};
+  for (const double value : values) put(entry.bytes, value);
+  return entry;
+}
+
+Entry text(uint16_t tag, const std::string& value) {
+  return {tag, kAscii, static_cast<uint32_t>(value.size() + 1), value + '\0'};
+}
+
+/// What differs between the two kinds of pixels.
+struct Samples {
+  uint16_t count, bits, format, photometric, predictor;
+  size_t pixel_bytes() const { return size_t{count} * bits / 8; }
+};
+constexpr uint16_t kUnsigned = 1, kFloat = 3, kBlackIsZero = 1, kRgb = 2, kPlain = 1,
+                   kDifferences = 2;
+
+/// Strips of rows, deflated; the offsets count from the first strip.
+struct Strips {
+  uint32_t rows = 0;  ///< of each but the last
+  std::vector<uint32_t> offsets, sizes;
+  std::string bytes;
+};
+
+template <class AppendRow>
+Strips strips_of(uint32_t width, uint32_t height, const Samples& samples, Task& task,
+                 AppendRow&& append_row) {
+  Strips out;
+  const size_t row_bytes = samples.pixel_bytes() * width;
+  out.rows = static_cast<uint32_t>(std::clamp<size_t>(kStripBytes / row_bytes, 1, height));
+  for (uint32_t first = 0; first < height; first += out.rows) {
+    task.checkpoint(static_cast<double>(first) / height);
+    std::string plain;
+    for (uint32_t y = first; y < std::min(height, first + out.rows); ++y) append_row(y, plain);
+    const ProgressSpan span(task, 0, 0);
+    const std::string packed = zlib_blocks(plain, task);
+    out.offsets.push_back(static_cast<uint32_t>(out.bytes.size()));
+    out.sizes.push_back(static_cast<uint32_t>(packed.size()));
+    out.bytes += packed;
+    if (out.bytes.size() % 2 != 0) out.bytes += '\0';  // values begin at even offsets
+  }
+  return out;
+}
+
+// GeoKeys (OGC 19-008r4, annex B): a user-defined model in metres, pixels are areas, a citation.
+void add_place(std::vector<Entry>& entries, const RasterPlace& place) {
+  constexpr uint16_t kVersion = 1, kRevision = 1, kMinor = 1, kKeys = 4;
+  constexpr uint16_t kModelType = 1024, kRasterType = 1025, kCitation = 1026, kLinearUnits = 3076;
+  constexpr uint16_t kUserDefined = 32767, kPixelIsArea = 1, kMetre = 9001, kAsciiParams = 34737;
+  const std::string citation = place.system + "|";
+  const auto length = static_cast<uint16_t>(citation.size());
+  entries.push_back(doubles(33550, {place.pixel_m, place.pixel_m, 0}));
+  entries.push_back(doubles(33922, {0, 0, 0, place.left_m, place.top_m, 0}));
+  entries.push_back(shorts(34735, {kVersion,
+                                   kRevision,
+                                   kMinor,
+                                   kKeys,  //
+                                   kModelType,
+                                   0,
+                                   1,
+                                   kUserDefined,  //
+                                   kRasterType,
+                                   0,
+                                   1,
+                                   kPixelIsArea,  //
+                                   kCitation,
+                                   kAsciiParams,
+                                   length,
+                                   0,  //
+                                   kLinearUnits,
+                                   0,
+                                   1,
+                                   kMetre}));
+  entries.push_back(text(kAsciiParams, citation));
+}
+
+// Header, directory, long values, strips.
+std::string file_of(std::vector<Entry> entries, const Strips& strips) {
+  constexpr size_t kHeader = 8, kEntry = 12;
+  constexpr uint16_t kOffsetsTag = 273;
+  const size_t directory = 2 + kEntry * entries.size() + 4;
+  size_t behind = kHeader + directory;
+  for (Entry& entry : entries) {
+    if (entry.bytes.size() % 2 != 0) entry.bytes += '\0';
+    if (entry.bytes.size() > 4) behind += entry.bytes.size();
+  }
+  for (Entry& entry : entries) {
+    if (entry.tag != kOffsetsTag) continue;
+    entry.bytes.clear();
+    for (const uint32_t offset : strips.offsets)
+      put(entry.bytes, static_cast<uint32_t>(offset + behind));
+  }
+  std::string out = "II";
+  put(out, uint16_t{42});
+  put(out, uint32_t{kHeader});
+  put(out, static_cast<uint16_t>(entries.size()));
+  std::string values;
+  for (const Entry& entry : entries) {
+    put(out, entry.tag);
+    put(out, static_cast<uint16_t>(entry.type));
+    put(out, entry.count);
+    std::string inside = entry.bytes;
+    if (inside.size() > 4) {
+      inside.clear();
+      put(inside, static_cast<uint32_t>(kHeader + directory + values.size()));
+      values += entry.bytes;
+    }
+    inside.resize(4, '\0');
+    out += inside;
+  }
+  put(out, uint32_t{0});  // no other directory
+  return out + values + strips.bytes;
+}
+
+std::string written(uint32_t width, uint32_t height, const Samples& samples, const Strips& strips,
+                    std::vector<Entry> more, const RasterPlace& place) {
+  constexpr uint16_t kDeflate = 8, kChunky = 1, kNoUnit = 1;
+  Entry bits{258, kShort, samples.count, {}}, formats{339, kShort, samples.count, {}};
+  Entry unit{282, kRational, 1, {}};
+  for (uint16_t s = 0; s < samples.count; ++s) {
+    put(bits.bytes, samples.bits);
+    put(formats.bytes, samples.format);
+  }
+  for (int k = 0; k < 2; ++k) put(unit.bytes, uint32_t{1});
+  Entry unit_y = unit;
+  unit_y.tag = 283;
+  std::vector<Entry> entries{longs(256, {{width}}),
+                             longs(257, {{height}}),
+                             bits,
+                             shorts(259, {kDeflate}),
+                             shorts(262, {samples.photometric}),
+                             longs(273, strips.offsets),
+                             shorts(277, {samples.count}),
+                             longs(278, {{strips.rows}}),
+                             longs(279, strips.sizes),
+                             unit,
+                             unit_y,
+                             shorts(284, {kChunky}),
+                             shorts(296, {kNoUnit}),
+                             text(305, "Jalon"),
+                             shorts(317, {samples.predictor}),
+                             formats};
+  entries.insert(entries.end(), more.begin(), more.end());
+  add_place(entries, place);
+  std::ranges::sort(entries, {}, &Entry::tag);
+  return file_of(std::move(entries), strips);
+}
+
+}  // namespace
+
+std::string geotiff_of(const RgbaImage& image, const RasterPlace& place, Task& task) {
+  constexpr uint16_t kExtraSamples = 338, kUnassociatedAlpha = 2;
+  constexpr Samples kRgba{4, 8, kUnsigned, kRgb, kDifferences};
+  const size_t row_bytes = 4 * size_t{image.width};
+  const Strips strips =
+      strips_of(image.width, image.height, kRgba, task, [&](uint32_t y, std::string& out) {
+        const uint8_t* row = image.pixels.data() + y * row_bytes;
+        for (size_t i = 0; i < row_bytes; ++i)
+          out += static_cast<char>(row[i] - (i >= 4 ? row[i - 4] : 0));
+      });
+  return written(image.width, image.height, kRgba, strips,
+                 {shorts(kExtraSamples, {kUnassociatedAlpha})}, place);
+}
+
+std::string geotiff_of(const NumberImage& image, const RasterPlace& place, Task& task) {
+  constexpr uint16_t kGdalNoData = 42113;
+  constexpr Samples kNumbers{1, 32, kFloat, kBlackIsZero, kPlain};
+  const Strips strips =
+      strips_of(image.width, image.height, kNumbers, task, [&](uint32_t y, std::string& out) {
+        for (uint32_t x = 0; x < image.width; ++x) {
+          const float value = image.pixels[size_t{y} * image.width + x];
+          put(out, std::isnan(value) ? kNoNumber : value);
+        }
+      });
+  return written(image.width, image.height, kNumbers, strips, {text(kGdalNoData, "-9999")}, place);
+}
+
+}  // namespace jalon

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+// Files taken apart by the rules of TIFF 6.0; GDAL reads orthoimages in tests/formats.
+#include "formats/drawings/geotiff_writer.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+
+#include "base/random.h"
+#include "formats/files/endian.h"
+#include "unit/formats/files/inflated.h"
+
+using namespace jalon;
+
+namespace {
+
+const RasterPlace kPlace{2, 110.5, 0.25, "facade"};
+
+/// The entries of the only directory, and the strips inflated.
+class Tiff {
+ public:
+  explicit Tiff(const std::string& bytes) : bytes_(bytes) {
+    CHECK(bytes.substr(0, 4) == std::string("II\x2a\0", 4));
+    const size_t directory = at<uint32_t>(4);
+    const size_t count = at<uint16_t>(directory);
+    uint16_t last = 0;
+    for (size_t i = 0; i < count; ++i) {
+      const size_t entry = directory + 2 + 12 * i;
+      CHECK(at<uint16_t>(entry) > last);  // ascending, as readers want them
+      last = at<uint16_t>(entry);
+      const size_t size = std::map<int, size_t>{{2, 1}, {3, 2}, {4, 4}, {5, 8}, {12, 8}}.at(
+          at<uint16_t>(entry + 2));
+      const size_t length = size * at<uint32_t>(entry + 4);
+      entries_[last] = bytes.substr(length > 4 ? at<uint32_t>(entry + 8) : entry + 8, length);
+    }
+    CHECK(at<uint32_t>(directory + 2 + 12 * count) == 0);
+  }
+  template <class T>
+  T value(uint16_t tag, size_t i = 0) const {
+    return load<T>(entries_.at(tag).data() + i * sizeof(T));
+  }
+  std::string text(uint16_t tag) const { return entries_.at(tag); }
+  bool has(uint16_t tag) const { return entries_.contains(tag); }
+  std::string pixels() const {
+    std::string out;
+    for (size_t s = 0; s < entries_.at(273).size() / 4; ++s) {
+      const Inflated strip(
+          std::string_view(bytes_).substr(value<uint32_t>(273, s), value<uint32_t>(279, s)));
+      CHECK(strip.ok);
+      out += strip.text;
+    }
+    return out;
+  }
+
+ private:
+  template <class T>
+  T at(size_t offset) const {
+    REQUIRE(offset + sizeof(T) <= bytes_.size());
+    return load<T>(bytes_.data() + offset);
+  }
+  std::string bytes_;
+  std::map<uint16_t, std::string> entries_;
+};
+
+}  // namespace
+
+TEST_CASE("geotiff__numbers_come_back_and_what_is_none_is_the_no_data_value") {
+  NumberImage image{3, 2, {1.5f, -0.25f, NAN, 0, 1e-7f, 3e8f}};
+  Task task;
+  const Tiff tiff(geotiff_of(image, kPlace, task));
+  CHECK(tiff.value<uint32_t>(256) == 3);
+  CHECK(tiff.value<uint32_t>(257) == 2);
+  CHECK(tiff.value<uint16_t>(258) == 32);
+  CHECK(tiff.value<uint16_t>(339) == 3);
+  CHECK(tiff.text(42113) == std::string("-9999", 6));
+  const std::string pixels = tiff.pixels();
+  REQUIRE(pixels.size() == 24);
+  for (size_t i = 0; i < 6; ++i)
+    CHECK(load<float>(pixels.data() + 4 * i) == (i == 2 ? kNoNumber : image.pixels[i]));
+}
+
+TEST_CASE("geotiff__the_place_is_that_of_the_outer_corner_in_a_system_of_its_own_in_metres") {
+  Task task;
+  const Tiff tiff(geotiff_of(NumberImage{1, 1, {0}}, kPlace, task));
+  CHECK(tiff.value<double>(33550, 0) == 0.25);
+  CHECK(tiff.value<double>(33550, 1) == 0.25);
+  CHECK(tiff.value<double>(33922, 3) == 2);
+  CHECK(tiff.value<double>(33922, 4) == 110.5);
+  std::map<uint16_t, uint16_t> keys;
+  for (size_t k = 0; k < tiff.value<uint16_t>(34735, 3); ++k)
+    keys[tiff.value<uint16_t>(34735, 4 + 4 * k)] = tiff.value<uint16_t>(34735, 7 + 4 * k);
+  CHECK(keys == std::map<uint16_t, uint16_t>{{1024, 32767}, {1025, 1}, {1026, 0}, {3076, 9001}});
+  CHECK(tiff.text(34737) == std::string("facade|", 8));
+}
+
+TEST_CASE("geotiff__colours_have_opacity_and_strips_keep_their_rows") {
+  RandomStream random(1, 1);
+  RgbaImage image{300, 700, std::vector<uint8_t>(4 * 300 * 700)};
+  for (uint8_t& byte : image.pixels) byte = static_cast<uint8_t>(random.below(256));
+  Task task;
+  const Tiff tiff(geotiff_of(image, kPlace, task));
+  CHECK(tiff.text(258) == std::string("\x08\0\x08\0\x08\0\x08\0", 8));
+  CHECK(tiff.value<uint16_t>(338) == 2);
+  CHECK(tiff.value<uint16_t>(262) == 2);
+  CHECK(tiff.text(273).size() > 8);  // more than two strips
+  CHECK(!tiff.has(42113));
+  std::string pixels = tiff.pixels();
+  REQUIRE(pixels.size() == image.pixels.size());
+  // Predictor 2: differences along the row.
+  for (size_t y = 0; y < image.height; ++y)
+    for (size_t i = 4; i < 1200; ++i)
+      pixels[1200 * y + i] = static_cast<char>(pixels[1200 * y + i] + pixels[1200 * y + i - 4]);
+  CHECK(pixels == std::string(image.pixels.begin(), image.pixels.end()));
+}
