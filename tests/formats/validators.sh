@@ -130,13 +130,27 @@ if [ -n "${JALON_FULL:-}" ]; then
     miss ifcopenshell
   fi
 fi
-# GeoPackage by Debian's GDAL, in the long run too: pyogrio has neither validate_gpkg nor GDAL's Python.
+# orthoimages FOLDER SCAN OPTION ...: fills the folder with those of a scan and its model's GeoPackage.
+orthoimages() {
+  local folder=$1 tool=$build/src/jalon
+  shift
+  "$tool" facade "$@" -o "$folder" --quiet --orthoimage both --viewer-points 0 &&
+    "$tool" convert --quiet "$folder/model.city.json" "$folder/model.gpkg"
+}
+# GeoPackage and GeoTIFF by Debian's GDAL, in the long run too: pyogrio has neither validate_gpkg nor GDAL's Python.
 if [ -n "${JALON_FULL:-}" ]; then
   . "$here/../../examples/packages.sh"
   need_packages gdal-bin python3-gdal >>"$log" 2>&1
   if /usr/bin/python3 -c "from osgeo import ogr" 2>>"$log"; then
     for name in house facade arches solids outlines; do
       count "GeoPackage of $name" /usr/bin/python3 "$here/check_gpkg.py" "$name" "$work/$name"
+    done
+    "$build/src/jalon" convert --quiet "$work/facade.las" "$work/plain.xyz" &&
+      awk 'NF > 2 && $1 ~ /^[0-9]/ { print $1, $2, $3, NR % 256, NR % 199, 77 }' "$work/plain.xyz" >"$work/coloured.xyz"
+    orthoimages "$work/distances" "$work/facade.las" && orthoimages "$work/colours" "$work/coloured.xyz" --columns "x y z r g b" ||
+      { failed=$((failed + 1)); echo "not ok - no orthoimages"; }
+    for name in distances colours; do
+      count "GeoTIFF of $name" /usr/bin/python3 "$here/check_tiff.py" "$name" "$work/$name"
     done
   else
     miss python3-gdal

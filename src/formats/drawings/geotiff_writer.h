@@ -28,8 +28,8 @@ constexpr float kNoNumber =
     -9999;  // what stands for NaN in the file: not all programs know a NaN as no-data
 
 /// GeoTIFF 1.1 (OGC 19-008r4) in a little-endian TIFF 6.0 with deflated strips: red, green, blue and opacity, or
-/// float32 with GDAL's tag of the no-data value. Its system is user-defined, in metres: GDAL makes a local one of it. The same
-/// bytes for any number of threads.
+/// float32 with GDAL's tag of the no-data value. Its system is user-defined, in metres: GDAL makes a local one of it.
+/// The same bytes for any number of threads.
 std::string geotiff_of(const RgbaImage& image, const RasterPlace& place, Task& task);
 std::string geotiff_of(const NumberImage& image, const RasterPlace& place, Task& task);
 

@@ -205,7 +205,7 @@ void add_orthoimages(Page& page, const Segmentation& segmentation, const Model& 
   for (const std::string& figure : figures) page.html().raw(figure);
   page.note(
       "The points near the front plane of the facade in true scale, seen along its horizontal. "
-      "Where there are none, the paper shows.");
+      "Pixels without points have no data.");
 }
 
 void add_residuals(Page& page, const Residuals& r) {

@@ -22,6 +22,7 @@ namespace {
 
 constexpr double kOrthoText = 2.5, kOrthoBarWidth = 5, kOrthoBarHeight = 46;
 constexpr int kOrthoBarSteps = 64;
+constexpr const char* kNoDataPaper = "#fbf3b4";  // of no scale of greys or distances
 
 // The legend: the scale of the values, or what colours are.
 void draw_key(SvgWriter& svg, const Orthoimage& image, const Sheet& sheet) {
@@ -33,9 +34,21 @@ void draw_key(SvgWriter& svg, const Orthoimage& image, const Sheet& sheet) {
                      : in_mm                                     ? "Before the wall (mm)"
                                                                  : "Before the wall (m)";
   svg_text(svg, {x, top - 2.5}, 2.8, Anchor::kStart, name, true);
+  const auto sign = [&](double y) {
+    svg.leaf("rect", {{"x", x},
+                      {"y", y},
+                      {"width", kOrthoBarWidth},
+                      {"height", 3},
+                      {"fill", kNoDataPaper},
+                      {"stroke", kInk},
+                      {"stroke-width", 0.18}});
+    svg_text(svg, {x + kOrthoBarWidth + 2, y + 2.4}, kOrthoText, Anchor::kStart, "no data");
+  };
   const std::string pixel = "pixel " + svg_number(1000 * image.pixel_m, 1) + " mm";
-  if (image.content == OrthoContent::kColour || !(colours.high > colours.low))
-    return svg_text(svg, {x, top + 2}, kOrthoText, Anchor::kStart, pixel);
+  if (image.content == OrthoContent::kColour || !(colours.high > colours.low)) {
+    svg_text(svg, {x, top + 2}, kOrthoText, Anchor::kStart, pixel);
+    return sign(top + 5);
+  }
   const double step_mm = kOrthoBarHeight / kOrthoBarSteps, range = colours.high - colours.low;
   for (int step = 0; step < kOrthoBarSteps; ++step)
     svg.leaf("rect",
@@ -60,6 +73,7 @@ void draw_key(SvgWriter& svg, const Orthoimage& image, const Sheet& sheet) {
              ticks.label(value));
   }
   svg_text(svg, {x, top + kOrthoBarHeight + 6}, kOrthoText, Anchor::kStart, pixel);
+  sign(top + kOrthoBarHeight + 9);
 }
 
 }  // namespace
@@ -119,6 +133,9 @@ std::string orthoimage_svg(const Orthoimage& image, const std::string& title, Ta
   open_figure(svg, sheet, title);
   svg_text(svg, {v.x, v.y - 3.5}, 3.2, Anchor::kStart,
            fitted_text(title, 3.2, sheet.width - v.x - 3), true);
+  svg.leaf(
+      "rect",
+      {{"x", v.x}, {"y", v.y}, {"width", v.width}, {"height", v.height}, {"fill", kNoDataPaper}});
   svg.leaf("image",
            {{"x", v.x},
             {"y", v.y},

@@ -42,6 +42,7 @@ constexpr double kOrthoPixel_spacings =
 constexpr double kStep_m = 0.001;        // of pixels whose size was left open
 constexpr double kShareOfStrays = 0.02;  // of the values at either end of a scale of greys
 constexpr double kShareOfDistances = 0.98;  // within the ends of a scale of distances
+constexpr double kLeastScale_m = 0.02;      // so that the noise of a bare wall looks like none
 constexpr int kClosing = 5;                 // of 8 neighbours
 
 // The k-th facade of the tree, or the one with the largest front.
@@ -176,7 +177,7 @@ OrthoColours colours_of(const Orthoimage& image) {
   if (out.is_distance) {
     for (float& v : sorted) v = std::fabs(v);
     std::ranges::sort(sorted);
-    out.high = std::max(at(kShareOfDistances), kStep_m);
+    out.high = std::max(at(kShareOfDistances), kLeastScale_m);
     out.low = -out.high;
   } else {
     out.low = at(kShareOfStrays);

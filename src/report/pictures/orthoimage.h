@@ -60,7 +60,7 @@ constexpr double kMostOrthoPixels = 64e6;  // of a file: two gigabytes while it 
 constexpr double kOrthoPagePixels = 5e5;   // in a page: some megabytes at most
 
 /// What pixels of a value look like: intensity in greys, the darkest and lightest fiftieth cut; distances from blue
-/// (behind) over white to red (before).
+/// (behind) over white to red (before), to 20 mm at least.
 struct OrthoColours {
   double low = 0, high = 1;
   bool is_distance = false;
