@@ -17,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // PLY is left out: it holds triangles alone, and STL does that already.
-constexpr const char* kExtensions[] = {"obj", "dxf", "city.json", "geojson", "stl"};
+constexpr const char* kExtensions[] = {"obj", "dxf", "city.json", "geojson", "gpkg", "stl"};
 
 // Is the extension one of a format of models that the library writes?
 bool is_written(const std::string& extension) {

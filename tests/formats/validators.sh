@@ -131,12 +131,7 @@ if [ -n "${JALON_FULL:-}" ]; then
   fi
 fi
 # orthoimages FOLDER SCAN OPTION ...: fills the folder with those of a scan and its model's GeoPackage.
-orthoimages() {
-  local folder=$1 tool=$build/src/jalon
-  shift
-  "$tool" facade "$@" -o "$folder" --quiet --orthoimage both --viewer-points 0 &&
-    "$tool" convert --quiet "$folder/model.city.json" "$folder/model.gpkg"
-}
+orthoimages() { "$build/src/jalon" facade "${@:2}" -o "$1" --quiet --orthoimage both --viewer-points 0; }
 # GeoPackage and GeoTIFF by Debian's GDAL, in the long run too: pyogrio has neither validate_gpkg nor GDAL's Python.
 if [ -n "${JALON_FULL:-}" ]; then
   . "$here/../../examples/packages.sh"

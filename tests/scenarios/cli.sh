@@ -83,6 +83,7 @@ import json,os,sys
 d=json.load(sys.stdin)
 assert sorted(os.listdir(\"named\"))==sorted(d[\"files\"]), d[\"files\"]'"
 check "facade shows its orthoimage in the drawing and the report" bash -c "grep -q '^orthoimage.png' result/model.dxf && [ \$(wc -l <result/orthoimage.pgw) -eq 6 ] && grep -q '>Orthoimage<' result/report.html"
+check "facade and convert write GeoPackages" bash -c "'$jalon' convert result/model.city.json house.gpkg --quiet && test -s result/model.gpkg && [ \"\$(head -c 15 house.gpkg)\" = 'SQLite format 3' ]"
 files=$(ls -A result | wc -l)
 check "the report is self-contained" bash -c "! grep -qE '(src|href)=\"(https?:|//|/)' result/report.html"
 # A scan whose file tells no station: through text, whose stations stand in a file beside it.

@@ -6,13 +6,15 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/numbers.h"
+#include "base/parallel.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr size_t kPointTicks = 1 << 16;  // points between two looks at the task
-constexpr double kPointsAtLeast = 9;     // a cell: so that surfaces have no empty cells (e^-9)
+constexpr size_t kTogether = 1 << 16;  // points whose numbers among them have 16 bits
+constexpr double kPointsAtLeast = 9;   // a cell: so that surfaces have no empty cells (e^-9)
 constexpr double kMostCells = 1e6;
 constexpr double kLeastSide_m = 0.01;
 constexpr double kSameSurface_m =
@@ -28,8 +30,13 @@ double unit_of(const Column* const (&parts)[3]) {
 
 // Files have the field where their scanner measured nothing, too.
 bool varies(const Column& column) {
-  for (size_t i = 1; i < column.count(); ++i)
-    if (column.number(i) != column.number(0)) return true;
+  double first = kNaN;
+  for (size_t i = 0; i < column.count(); ++i) {
+    const double value = column.number(i);
+    if (!std::isfinite(value)) continue;
+    if (std::isfinite(first) && value != first) return true;
+    first = value;
+  }
   return false;
 }
 
@@ -37,11 +44,7 @@ bool varies(const Column& column) {
 
 OrthoPoints::OrthoPoints(const Cloud& cloud, const PlacedFacade& facade,
                          const OrthoimageSettings& settings, Task& task)
-    : cloud_(cloud),
-      facade_(facade),
-      in_front_m_(settings.in_front_m),
-      behind_m_(settings.behind_m),
-      content_(settings.content) {
+    : cloud_(cloud), facade_(facade), content_(settings.content) {
   const bool has_intensity = column("intensity") != nullptr;
   if (content_ == OrthoContent::kAuto)
     content_ = has_colour() && (varies(*column("red")) || varies(*column("green")))
@@ -52,7 +55,7 @@ OrthoPoints::OrthoPoints(const Cloud& cloud, const PlacedFacade& facade,
     fail(Status::kInsufficientData, "the cloud has no colours (fields red, green, blue)");
   if (content_ == OrthoContent::kIntensity && !has_intensity)
     fail(Status::kInsufficientData, "the cloud has no field \"intensity\"");
-  for_each(0, 0.1, task, [&](size_t, const Vec3&) { ++count_; });
+  find_inside(settings.in_front_m, settings.behind_m, task);
   if (count_ == 0)
     fail(Status::kInsufficientData, "no point lies near the front plane of the facade");
 }
@@ -66,17 +69,30 @@ bool OrthoPoints::has_colour() const {
   return column("red") != nullptr && column("green") != nullptr && column("blue") != nullptr;
 }
 
-// use(i, q): q on the sheet, x from the left end of the facade.
+void OrthoPoints::find_inside(double in_front_m, double behind_m, Task& task) {
+  const ProgressSpan span(task, 0, 0.1);
+  inside_.resize((cloud_.size() + kTogether - 1) / kTogether);
+  parallel_for(task, cloud_.size(), kTogether, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 q = facade_.on_sheet(cloud_.point(i));
+      if (q.x >= facade_.left_m && q.x <= facade_.right_m && q.y >= facade_.bottom_m &&
+          q.y <= facade_.top_m && q.z <= in_front_m && q.z >= -behind_m)
+        inside_[begin / kTogether].push_back(static_cast<uint16_t>(i - begin));
+    }
+  });
+  for (const auto& some : inside_) count_ += some.size();
+}
+
+// use(i, q): q on the sheet.
 template <class F>
 void OrthoPoints::for_each(double from, double to, Task& task, F&& use) const {
   const ProgressSpan span(task, from, to);
-  for (size_t i = 0; i < cloud_.size(); ++i) {
-    if (i % kPointTicks == 0)
-      task.checkpoint(static_cast<double>(i) / static_cast<double>(cloud_.size()));
-    const Vec3 q = facade_.on_sheet(cloud_.point(i));
-    if (q.x >= facade_.left_m && q.x <= facade_.right_m && q.y >= facade_.bottom_m &&
-        q.y <= facade_.top_m && q.z <= in_front_m_ && q.z >= -behind_m_)
-      use(i, q);
+  for (size_t c = 0; c < inside_.size(); ++c) {
+    task.checkpoint(static_cast<double>(c) / static_cast<double>(inside_.size()));
+    for (const uint16_t offset : inside_[c]) {
+      const size_t i = c * kTogether + offset;
+      use(i, facade_.on_sheet(cloud_.point(i)));
+    }
   }
 }
 
@@ -119,10 +135,14 @@ void OrthoPoints::draw(Orthoimage& image, Task& task) const {
   for_each(0.5, 0.9, task, [&](size_t i, const Vec3& q) {
     const size_t at = pixel_of(q);
     if (q.z < double{nearest[at]} - kSameSurface_m) return;
-    ++counts[at];
+    double values[3] = {q.z, 0, 0};
     if (in_colour)
-      for (size_t s = 0; s < 3; ++s) sums[3 * at + s] += parts[s]->number(i) * unit;
-    else sums[at] += content_ == OrthoContent::kIntensity ? intensity->number(i) : q.z;
+      for (size_t s = 0; s < 3; ++s) values[s] = parts[s]->number(i) * unit;
+    else if (content_ == OrthoContent::kIntensity) values[0] = intensity->number(i);
+    for (size_t s = 0; s < samples; ++s)
+      if (!std::isfinite(values[s])) return;
+    ++counts[at];
+    for (size_t s = 0; s < samples; ++s) sums[samples * at + s] += values[s];
   });
   image.has_data.assign(image.size(), 0);
   if (in_colour) image.colours.assign(3 * image.size(), 0);

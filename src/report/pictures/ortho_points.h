@@ -22,13 +22,14 @@ class OrthoPoints {
  private:
   const Column* column(const char* name) const;
   bool has_colour() const;
+  void find_inside(double in_front_m, double behind_m, Task& task);
   template <class F>
   void for_each(double from, double to, Task& task, F&& use) const;
 
   const Cloud& cloud_;
   const PlacedFacade& facade_;
-  double in_front_m_, behind_m_;
   OrthoContent content_;
+  std::vector<std::vector<uint16_t>> inside_;  ///< of each 65 536 points in turn
   uint64_t count_ = 0;
 };
 

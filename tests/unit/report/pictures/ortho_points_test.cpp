@@ -28,6 +28,32 @@ TEST_CASE("ortho_points__the_spacing_is_that_of_the_part_that_they_cover") {
   CHECK(std::fabs(spacing(part) / kStep_m - 1) < 0.1);
 }
 
+TEST_CASE("ortho_points__what_is_no_number_is_not_shown") {
+  const Scene wall = scene(0);
+  Cloud cloud = wall.cloud(false);
+  std::vector<float> intensity(wall.points.size(), 2);
+  for (size_t i = 0; i < 150; ++i) intensity[i] = NAN;  // the first column of points
+  intensity[400] = 5;
+  cloud.fields.set(make_column<float>({"intensity"}, intensity));
+  OrthoimageSettings settings;
+  settings.pixel_m = kStep_m;
+  settings.fill = 0;
+  Task task;
+  const Orthoimage image = make_orthoimage(cloud, wall.model, settings, kMostOrthoPixels, task);
+  CHECK(image.content == OrthoContent::kIntensity);
+  size_t in_first = 0;
+  for (size_t i = 0; i < image.size(); ++i) {
+    if (image.has_data[i] == 0) continue;
+    CHECK(std::isfinite(image.values[i]));
+    in_first += i % image.columns == 0 ? 1 : 0;
+  }
+  CHECK(in_first == 0);
+  std::ranges::fill(intensity, NAN);
+  cloud.fields.set(make_column<float>({"intensity"}, intensity));
+  CHECK(make_orthoimage(cloud, wall.model, settings, kMostOrthoPixels, task).content ==
+        OrthoContent::kDistance);
+}
+
 TEST_CASE("ortho_points__colours_of_16_bits_and_of_floats_are_those_of_8") {
   const Scene wall = scene(0);
   OrthoimageSettings settings;
