@@ -20,15 +20,33 @@ uint32_t clamped_cell(double offset, double pixel_m, uint32_t n) {
   return cell >= static_cast<double>(n) ? n - 1 : static_cast<uint32_t>(cell);
 }
 
-/// Sliding maximum (grow) or minimum along lines of the image by counting the set pixels in the window.
-void sweep(const uint8_t* in, uint8_t* out, size_t n, size_t stride, uint32_t radius, bool grow) {
+/// Sliding maximum (grow) or minimum along a row of the image by counting the set pixels in the window.
+void sweep_row(const uint8_t* in, uint8_t* out, size_t n, uint32_t radius, bool grow) {
   const size_t window = 2 * size_t{radius} + 1;
   size_t set = 0;
-  for (size_t i = 0; i < std::min<size_t>(radius, n); ++i) set += in[i * stride] != 0;
+  for (size_t i = 0; i < std::min<size_t>(radius, n); ++i) set += in[i] != 0;
   for (size_t i = 0; i < n; ++i) {
-    if (i + radius < n) set += in[(i + radius) * stride] != 0;
-    if (i > radius) set -= in[(i - radius - 1) * stride] != 0;
-    out[i * stride] = grow ? set != 0 : set == window;
+    if (i + radius < n) set += in[i + radius] != 0;
+    if (i > radius) set -= in[i - radius - 1] != 0;
+    out[i] = grow ? set != 0 : set == window;
+  }
+}
+
+/// The same along all columns at once, row by row, as they lie in memory.
+void sweep_columns(const uint8_t* in, uint8_t* out, size_t columns, size_t rows, uint32_t radius,
+                   bool grow) {
+  const uint32_t window = 2 * radius + 1;
+  std::vector<uint32_t> set(columns, 0);
+  const auto enter = [&](size_t row) {
+    for (size_t c = 0; c < columns; ++c) set[c] += in[row * columns + c] != 0;
+  };
+  for (size_t row = 0; row < std::min<size_t>(radius, rows); ++row) enter(row);
+  for (size_t row = 0; row < rows; ++row) {
+    if (row + radius < rows) enter(row + radius);
+    if (row > radius)
+      for (size_t c = 0; c < columns; ++c) set[c] -= in[(row - radius - 1) * columns + c] != 0;
+    for (size_t c = 0; c < columns; ++c)
+      out[row * columns + c] = grow ? set[c] != 0 : set[c] == window;
   }
 }
 
@@ -37,11 +55,9 @@ Raster swept(const Raster& raster, uint32_t radius, bool grow) {
   if (radius == 0 || raster.pixels.empty()) return out;
   std::vector<uint8_t> half(raster.pixels.size());
   for (size_t row = 0; row < raster.rows; ++row)
-    sweep(raster.pixels.data() + row * raster.columns, half.data() + row * raster.columns,
-          raster.columns, 1, radius, grow);
-  for (size_t column = 0; column < raster.columns; ++column)
-    sweep(half.data() + column, out.pixels.data() + column, raster.rows, raster.columns, radius,
-          grow);
+    sweep_row(raster.pixels.data() + row * raster.columns, half.data() + row * raster.columns,
+              raster.columns, radius, grow);
+  sweep_columns(half.data(), out.pixels.data(), raster.columns, raster.rows, radius, grow);
   return out;
 }
 

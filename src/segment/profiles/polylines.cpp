@@ -3,6 +3,7 @@
 #include "segment/profiles/polylines.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 
@@ -28,13 +29,54 @@ double squared_between(const Vec2& a, const Vec2& b) {
   return d.u * d.u + d.v * d.v;
 }
 
+// Which node stands in a cell: open addressing, half full.
+class NodeTable {
+ public:
+  static constexpr uint32_t kNoNode = 0xffffffffu;
+
+  explicit NodeTable(std::span<const NodeCell> cells)
+      : cells_(cells), slots_(std::bit_ceil(2 * cells.size() + 1), kNoNode) {
+    for (uint32_t node = 0; node < cells.size(); ++node) {
+      size_t slot = slot_of(cells[node]);
+      while (slots_[slot] != kNoNode) slot = next(slot);
+      slots_[slot] = node;
+    }
+  }
+  uint32_t at(const NodeCell& cell) const {
+    size_t slot = slot_of(cell);
+    while (slots_[slot] != kNoNode && cells_[slots_[slot]] != cell) slot = next(slot);
+    return slots_[slot];
+  }
+
+ private:
+  size_t next(size_t slot) const { return (slot + 1) & (slots_.size() - 1); }
+  // Odd multipliers spread neighbours (Knuth 1998, 6.4); the high bits of the sum are the mixed ones.
+  size_t slot_of(const NodeCell& cell) const {
+    const uint64_t mixed = static_cast<uint64_t>(cell.column) * 0x9e3779b97f4a7c15ull +
+                           static_cast<uint64_t>(cell.row) * 0xc2b2ae3d27d4eb4full;
+    return static_cast<size_t>(mixed >> 32) & (slots_.size() - 1);
+  }
+  std::span<const NodeCell> cells_;
+  std::vector<uint32_t> slots_;
+};
+
+std::vector<NodeCell> cells_of(std::span<const ProfileNode> nodes, double cell_m) {
+  std::vector<NodeCell> cells;
+  cells.reserve(nodes.size());
+  for (const ProfileNode& node : nodes) cells.push_back(cell_at(node.middle, cell_m));
+  return cells;
+}
+
 // Walks over nodes that stand in the order of their cells.
 class Chainer {
  public:
   Chainer(std::span<const ProfileNode> nodes, double cell_m, double gap_m)
-      : nodes_(nodes), gap_m_(gap_m), cell_m_(cell_m), used_(nodes.size(), 0) {
-    for (const ProfileNode& node : nodes) cells_.push_back(cell_at(node.middle, cell_m));
-  }
+      : nodes_(nodes),
+        gap_m_(gap_m),
+        cell_m_(cell_m),
+        used_(nodes.size(), 0),
+        cells_(cells_of(nodes, cell_m)),
+        table_(cells_) {}
 
   std::vector<std::vector<uint32_t>> run() {
     std::vector<std::vector<uint32_t>> chains;
@@ -52,7 +94,7 @@ class Chainer {
   }
 
  private:
-  static constexpr uint32_t kNoNode = 0xffffffffu;
+  static constexpr uint32_t kNoNode = NodeTable::kNoNode;
 
   // Where a surface lies in the slice its nodes fill an area, which has no profile but its edge.
   void leave_out_faces() {
@@ -93,9 +135,7 @@ class Chainer {
   }
 
   uint32_t node_at(uint32_t from, int64_t columns, int64_t rows) const {
-    const NodeCell cell{cells_[from].column + columns, cells_[from].row + rows};
-    const auto at = std::lower_bound(cells_.begin(), cells_.end(), cell);
-    return at == cells_.end() || *at != cell ? kNoNode : static_cast<uint32_t>(at - cells_.begin());
+    return table_.at({cells_[from].column + columns, cells_[from].row + rows});
   }
 
   void look(uint32_t from, int64_t columns, int64_t rows, double& best, uint32_t& found) const {
@@ -112,6 +152,7 @@ class Chainer {
   double gap_m_, cell_m_;
   std::vector<uint8_t> used_;
   std::vector<NodeCell> cells_;
+  NodeTable table_;
 };
 
 // Farthest point strictly between two places from their chord.

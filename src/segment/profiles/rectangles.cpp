@@ -19,22 +19,27 @@ constexpr double kLeastOverlap = 0.5;  // of the shorter line
 constexpr double kRectangleResidual = 0.5;  // rms of its points, in tolerances (as of seeds)
 constexpr uint32_t kNoLine = 0xffffffffu;
 
-double length_of(const ProfileLine& line) {
+// What a line is asked again and again.
+struct Run {
+  Vec2 from, to, direction;
+  double length_m;
+};
+Run run_of(const ProfileLine& line) {
   const Vec2 d = line.to - line.from;
-  return std::sqrt(d.u * d.u + d.v * d.v);
+  const double length = std::sqrt(d.u * d.u + d.v * d.v);
+  return {line.from, line.to, d * (1 / length), length};
 }
 
 // Distance at which b runs beside a; infinite where it does not.
-double beside(const ProfileLine& a, const ProfileLine& b, const RectangleRule& rule, double sine) {
-  const double la = length_of(a), lb = length_of(b);
-  const Vec2 da = (a.to - a.from) * (1 / la), db = (b.to - b.from) * (1 / lb);
+double beside(const Run& a, const Run& b, const RectangleRule& rule, double sine) {
+  const Vec2 &da = a.direction, &db = b.direction;
   if (std::fabs(da.u * db.v - da.v * db.u) > sine) return INFINITY;
   const auto along = [&](const Vec2& p) {
     return (p.u - a.from.u) * da.u + (p.v - a.from.v) * da.v;
   };
   const double b0 = std::min(along(b.from), along(b.to)), b1 = std::max(along(b.from), along(b.to));
-  const double from = std::max(0.0, b0), to = std::min(la, b1);
-  if (to - from < kLeastOverlap * std::min(la, lb)) return INFINITY;
+  const double from = std::max(0.0, b0), to = std::min(a.length_m, b1);
+  if (to - from < kLeastOverlap * std::min(a.length_m, b.length_m)) return INFINITY;
   const auto across = [&](const Vec2& p) {
     return (p.v - a.from.v) * da.u - (p.u - a.from.u) * da.v;
   };
@@ -46,13 +51,12 @@ struct LineRange {
   uint32_t begin, end;
 };
 
-uint32_t nearest_beside(std::span<const ProfileLine> lines, uint32_t line, const LineRange& range,
-                        const RectangleRule& rule) {
+uint32_t nearest_beside(std::span<const Run> runs, uint32_t line, const LineRange& range,
+                        const RectangleRule& rule, double sine) {
   uint32_t best = kNoLine;
-  const double sine = std::sin(rule.angle_rad);
   double least = INFINITY;
   for (uint32_t other = range.begin; other < range.end; ++other) {
-    const double off = beside(lines[line], lines[other], rule, sine);
+    const double off = beside(runs[line], runs[other], rule, sine);
     if (off < least) {
       least = off;
       best = other;
@@ -75,16 +79,20 @@ std::vector<ProfileRectangle> match_lines(std::span<const ProfileLine> lines,
   for (uint32_t i = 0; i < lines.size(); ++i)
     if (i == 0 || lines[i].slice != lines[i - 1].slice) first.push_back(i);
   first.push_back(static_cast<uint32_t>(lines.size()));
+  std::vector<Run> runs;
+  runs.reserve(lines.size());
+  for (const ProfileLine& line : lines) runs.push_back(run_of(line));
+  const double sine = std::sin(rule.angle_rad);
   std::vector<std::vector<ProfileRectangle>> found(first.size());
   parallel_for(task, first.size() < 3 ? 0 : first.size() - 2, 1, [&](size_t k, size_t) {
     const LineRange low{first[k], first[k + 1]}, high{first[k + 1], first[k + 2]};
     if (lines[high.begin].slice != lines[low.begin].slice + 1) return;
     std::set<std::pair<uint32_t, uint32_t>> pairs;
     for (uint32_t i = low.begin; i < low.end; ++i)
-      if (const uint32_t j = nearest_beside(lines, i, high, rule); j != kNoLine)
+      if (const uint32_t j = nearest_beside(runs, i, high, rule, sine); j != kNoLine)
         pairs.insert({i, j});
     for (uint32_t j = high.begin; j < high.end; ++j)
-      if (const uint32_t i = nearest_beside(lines, j, low, rule); i != kNoLine)
+      if (const uint32_t i = nearest_beside(runs, j, low, rule, sine); i != kNoLine)
         pairs.insert({i, j});
     for (const auto& [i, j] : pairs) {
       ProfileRectangle rectangle{i, j, {}};

@@ -138,15 +138,6 @@ void quantise(DepthImage& image, const ImageBox& box, uint32_t bits, Task& task)
 
 }  // namespace
 
-size_t DepthImage::pixel_of(const Vec3& p) const {
-  const auto cell = [&](double offset, uint32_t cells) {
-    const double at = offset / pixel_m;
-    return at > 0 ? std::min(static_cast<uint32_t>(at), cells - 1) : 0u;
-  };
-  return size_t{cell(dot(p, axes.v) - low.v, rows)} * columns +
-         cell(dot(p, axes.u) - low.u, columns);
-}
-
 DepthImage depth_image(const SegmentScene& scene, const RasterSettings& settings,
                        const ImageAxes& axes, double pixel_m, Task& task) {
   DepthImage image;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -29,7 +30,15 @@ struct DepthImage {
   double quantum_m = 0;           ///< step of the grey values; 0 = none
 
   size_t size() const { return pixels.size(); }
-  size_t pixel_of(const Vec3& p) const;
+  /// Asked for each point of each image.
+  size_t pixel_of(const Vec3& p) const {
+    const auto cell = [&](double offset, uint32_t cells) {
+      const double at = offset / pixel_m;
+      return at > 0 ? std::min(static_cast<uint32_t>(at), cells - 1) : 0u;
+    };
+    return size_t{cell(dot(p, axes.v) - low.v, rows)} * columns +
+           cell(dot(p, axes.u) - low.u, columns);
+  }
 };
 
 /// Image of the free points; empty when there are none. The pixel doubles where the image would have more than a few

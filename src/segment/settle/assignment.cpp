@@ -15,6 +15,8 @@ namespace {
 
 constexpr size_t kAssignmentPointsPerChunk = 1 << 14;
 constexpr size_t kPointsPerBlock = 64;
+// Of the octree's cube: far above the rounding of a distance, far below any tolerance.
+constexpr double kReachSlack = 1e-12;
 constexpr size_t kPointsPerStretch = 1 << 17;
 constexpr double kLeastSigma =
     0.04;  // of the tolerance: noise-free planes do not pull points from noisy ones
@@ -81,6 +83,23 @@ bool overlap(const Box3& a, const Box3& b) {
   return true;
 }
 
+// Could a point of the box be within the tolerance of the patch, and on its raster? Never no where one is.
+bool may_reach(const Box3& box, const Patch& patch, double reach_m) {
+  if (!overlap(box, patch.box)) return false;
+  if (patch.curved.exists()) return true;
+  const Vec3 half = 0.5 * (box.max - box.min);
+  const Vec3& n = patch.plane.normal;
+  const double wide =
+      std::fabs(n.x) * half.x + std::fabs(n.y) * half.y + std::fabs(n.z) * half.z + reach_m;
+  return std::fabs(patch.plane.distance(box.min + half)) <= wide;
+}
+
+Box3 box_of(const SegmentScene& scene, size_t begin, size_t end) {
+  Box3 box;
+  for (size_t i = begin; i < end; ++i) box.add(scene.local(i));
+  return box;
+}
+
 // Owner of one point among the patches near its block; 0 = none. The cost is -2 ln of the likelihood of the mixture
 // of surfaces, density / sigma exp(-d^2 / (2 sigma^2)): where a thin cloud of clutter cuts a wall, the points there
 // are the wall's. Within the core of a plane the normal has no say: it is that of a cell, and at an edge of two
@@ -134,22 +153,23 @@ void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& ta
   parallel_for(task, surfaces.size(), 1,
                [&](size_t i, size_t) { patches[i] = patch_of(scene, surfaces[i]); });
   const double min_cosine = scene.min_cosine();
-  const size_t blocks = (scene.size() + kPointsPerBlock - 1) / kPointsPerBlock;
-  parallel_for(task, blocks, kAssignmentPointsPerChunk / kPointsPerBlock,
-               [&](size_t begin, size_t end) {
-                 std::vector<uint32_t> near;
-                 for (size_t block = begin; block < end; ++block) {
-                   const size_t first = block * kPointsPerBlock,
-                                last = std::min(scene.size(), first + kPointsPerBlock);
-                   Box3 box;
-                   for (size_t i = first; i < last; ++i) box.add(scene.local(i));
-                   near.clear();
-                   for (uint32_t k = 0; k < patches.size(); ++k)
-                     if (overlap(box, patches[k].box)) near.push_back(k);
-                   for (size_t i = first; i < last; ++i)
-                     scene.owner[i] = choose(scene, patches, near, i, min_cosine);
-                 }
-               });
+  const double reach_m =
+      scene.settings.distance_tolerance_m + kReachSlack * scene.tree->cube().edge;
+  parallel_for(task, scene.size(), kAssignmentPointsPerChunk, [&](size_t begin, size_t end) {
+    std::vector<uint32_t> near_chunk, near;
+    const Box3 chunk = box_of(scene, begin, end);
+    for (uint32_t k = 0; k < patches.size(); ++k)
+      if (may_reach(chunk, patches[k], reach_m)) near_chunk.push_back(k);
+    for (size_t first = begin; first < end; first += kPointsPerBlock) {
+      const size_t last = std::min(end, first + kPointsPerBlock);
+      const Box3 box = box_of(scene, first, last);
+      near.clear();
+      for (const uint32_t k : near_chunk)
+        if (may_reach(box, patches[k], reach_m)) near.push_back(k);
+      for (size_t i = first; i < last; ++i)
+        scene.owner[i] = choose(scene, patches, near, i, min_cosine);
+    }
+  });
   take_positions(scene, surfaces, task);
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "segment/settle/blocked_points.h"
+#include "segment/settle/each_surface.h"
 
 namespace jalon {
 
@@ -21,6 +23,8 @@ struct MergingPart {
   Moments moments;
   PlaneFit fit;
   Box3 box;
+  BlockedPoints points;
+  std::vector<size_t> pieces;  ///< surfaces that have the points
   bool alive = true;
 };
 
@@ -51,7 +55,18 @@ MergingPart part_of(const SegmentScene& scene, const Surface& surface, Task& tas
   part.moments = sums.moments;
   part.box = sums.box;
   part.alive = surface.is_plane() && fit_plane(sums.moments, part.fit);
+  part.points = BlockedPoints(scene, positions);
   return part;
+}
+
+std::vector<MergingPart> parts_of(const SegmentScene& scene, const std::vector<Surface>& surfaces,
+                                  Task& task) {
+  std::vector<MergingPart> parts(surfaces.size());
+  for_each_surface(surfaces, task, [&](size_t s) {
+    parts[s] = part_of(scene, surfaces[s], task);
+    parts[s].pieces = {s};
+  });
+  return parts;
 }
 
 bool one_plane_fits(const SegmentScene& scene, const MergingPart& a, const MergingPart& b) {
@@ -82,16 +97,17 @@ bool layers_are_one(const SegmentScene& scene, const MergingPart& a, const Mergi
          !too_rough(scene.settings, rms_about(b.moments, fit.plane));
 }
 
+FlatFrame frame_of(const SegmentScene& scene, const Surface& surface, const MergingPart& part) {
+  return plane_frame(surface.plane, scene.local(part.points.first_position()));
+}
+
 // True when most of the points of one surface lie where the other one has points as well.
-bool lies_over(const SegmentScene& scene, const Surface& small, const Surface& large) {
-  const FlatFrame frame = plane_frame(large.plane, scene.local(large.positions[0]));
-  std::vector<Vec2> uv(large.positions.size());
-  for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(large.positions[i]));
-  const Raster raster = bounded_raster(uv, large.pixel_m, 0);
-  size_t over = 0;
-  for (const uint32_t position : small.positions)
-    over += raster.holds(frame(scene.local(position)));
-  return static_cast<double>(over) >= kOverlap * static_cast<double>(small.positions.size());
+bool lies_over(const SegmentScene& scene, const MergingPart& small, const Surface& large_surface,
+               const MergingPart& large) {
+  const auto least =
+      static_cast<size_t>(std::ceil(kOverlap * static_cast<double>(small.points.size())));
+  return lie_over(scene, small.points, least, large.points, frame_of(scene, large_surface, large),
+                  large_surface.pixel_m, 0);
 }
 
 bool boxes_near(const Box3& a, const Box3& b, double gap) {
@@ -101,20 +117,16 @@ bool boxes_near(const Box3& a, const Box3& b, double gap) {
 }
 
 // True when the surfaces' pixels come within merge_gap_m of each other.
-bool pixels_near(const SegmentScene& scene, const Surface& a, const Surface& b) {
+bool pixels_near(const SegmentScene& scene, const Surface& a, const MergingPart& a_part,
+                 const Surface& b, const MergingPart& b_part) {
   const double gap = scene.settings.merge_gap_m;
   const double pixel = std::max({a.pixel_m, b.pixel_m, gap / 64});
   const auto reach = static_cast<uint32_t>(std::max(1.0, std::floor(gap / pixel)));
-  const FlatFrame frame = plane_frame(a.plane, scene.local(a.positions[0]));
-  std::vector<Vec2> uv(a.positions.size());
-  for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(a.positions[i]));
-  const Raster near = dilated(bounded_raster(uv, pixel, reach), reach);
-  for (const uint32_t position : b.positions)
-    if (near.holds(frame(scene.local(position)))) return true;
-  return false;
+  return lie_over(scene, b_part.points, 1, a_part.points, frame_of(scene, a, a_part), pixel, reach);
 }
 
-void absorb(Surface& into, MergingPart& into_part, Surface& from, MergingPart& from_part) {
+// All but the lists of positions, which join_pieces() makes one.
+void absorb(Surface& into, MergingPart& into_part, const Surface& from, MergingPart& from_part) {
   into_part.moments += from_part.moments;
   into_part.box += from_part.box;
   fit_plane(into_part.moments, into_part.fit);
@@ -122,18 +134,52 @@ void absorb(Surface& into, MergingPart& into_part, Surface& from, MergingPart& f
   into.sigma_m = into_part.fit.sigma;
   into.area_m2 += from.area_m2;
   into.pixel_m = std::max(into.pixel_m, from.pixel_m);
-  const auto middle = static_cast<ptrdiff_t>(into.positions.size());
-  into.positions.insert(into.positions.end(), from.positions.begin(), from.positions.end());
-  std::inplace_merge(into.positions.begin(), into.positions.begin() + middle, into.positions.end());
-  from.positions.clear();
+  into_part.points.take(std::move(from_part.points));
+  into_part.pieces.insert(into_part.pieces.end(), from_part.pieces.begin(), from_part.pieces.end());
+  from_part.pieces.clear();
   from_part.alive = false;
+}
+
+// Two runs at a time, so that each position is moved once a doubling.
+void join_sorted_runs(std::vector<uint32_t>& positions, std::vector<size_t> ends) {
+  const auto at = [&](size_t place) { return positions.begin() + static_cast<ptrdiff_t>(place); };
+  while (ends.size() > 1) {
+    std::vector<size_t> joined;
+    size_t begin = 0;
+    for (size_t k = 0; k < ends.size(); k += 2) {
+      const size_t end = ends[std::min(k + 1, ends.size() - 1)];
+      std::inplace_merge(at(begin), at(ends[k]), at(end));
+      joined.push_back(begin = end);
+    }
+    ends = std::move(joined);
+  }
+}
+
+// Each surface gets the points of its pieces, ascending; those that were absorbed go.
+void join_pieces(std::vector<Surface>& surfaces, const std::vector<MergingPart>& parts,
+                 Task& task) {
+  parallel_for(task, surfaces.size(), 1, [&](size_t s, size_t) {
+    if (parts[s].pieces.size() < 2) return;
+    std::vector<uint32_t> positions;
+    std::vector<size_t> ends;
+    positions.reserve(parts[s].points.size());
+    for (const size_t piece : parts[s].pieces) {
+      std::vector<uint32_t> own = std::move(surfaces[piece].positions);
+      positions.insert(positions.end(), own.begin(), own.end());
+      ends.push_back(positions.size());
+    }
+    join_sorted_runs(positions, std::move(ends));
+    surfaces[s].positions = std::move(positions);
+  });
+  for (size_t s = 0; s < surfaces.size(); ++s)
+    if (parts[s].pieces.empty()) surfaces[s].positions.clear();
+  std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
 }
 
 }  // namespace
 
 void merge_coplanar(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  std::vector<MergingPart> parts;
-  for (const Surface& surface : surfaces) parts.push_back(part_of(scene, surface, task));
+  std::vector<MergingPart> parts = parts_of(scene, surfaces, task);
   for (bool merged = true; merged;) {
     merged = false;
     for (size_t i = 0; i < surfaces.size(); ++i) {
@@ -142,31 +188,33 @@ void merge_coplanar(const SegmentScene& scene, std::vector<Surface>& surfaces, T
         if (!parts[j].alive || !boxes_near(parts[i].box, parts[j].box, scene.settings.merge_gap_m))
           continue;
         if (!one_plane_fits(scene, parts[i], parts[j]) ||
-            !pixels_near(scene, surfaces[i], surfaces[j]))
+            !pixels_near(scene, surfaces[i], parts[i], surfaces[j], parts[j]))
           continue;
         absorb(surfaces[i], parts[i], surfaces[j], parts[j]);
         merged = true;
       }
     }
   }
-  std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
+  join_pieces(surfaces, parts, task);
 }
 
 bool merge_layers(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  std::vector<MergingPart> parts;
-  for (const Surface& surface : surfaces) parts.push_back(part_of(scene, surface, task));
+  std::vector<MergingPart> parts = parts_of(scene, surfaces, task);
   for (size_t i = 0; i < surfaces.size(); ++i) {
     task.checkpoint(static_cast<double>(i) / static_cast<double>(surfaces.size()));
     for (size_t j = i + 1; j < surfaces.size() && parts[i].alive; ++j) {
       if (!parts[j].alive || !boxes_near(parts[i].box, parts[j].box, 0)) continue;
-      const bool i_is_large = surfaces[i].positions.size() >= surfaces[j].positions.size();
-      const Surface& large = surfaces[i_is_large ? i : j];
-      const Surface& small = surfaces[i_is_large ? j : i];
-      if (!layers_are_one(scene, parts[i], parts[j]) || !lies_over(scene, small, large)) continue;
+      const bool i_is_large = parts[i].points.size() >= parts[j].points.size();
+      const size_t large = i_is_large ? i : j, small = i_is_large ? j : i;
+      if (!layers_are_one(scene, parts[i], parts[j]) ||
+          !lies_over(scene, parts[small], surfaces[large], parts[large]))
+        continue;
       absorb(surfaces[i], parts[i], surfaces[j], parts[j]);
     }
   }
-  return std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); }) > 0;
+  const size_t before = surfaces.size();
+  join_pieces(surfaces, parts, task);
+  return surfaces.size() < before;
 }
 
 }  // namespace jalon

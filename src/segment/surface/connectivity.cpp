@@ -71,20 +71,19 @@ double occupied_area_m2(const Raster& raster) {
   return static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
 }
 
-Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin) {
-  double u0 = points[0].u, u1 = u0, v0 = points[0].v, v1 = v0;
-  for (const Vec2& p : points) {
-    u0 = std::min(u0, p.u);
-    u1 = std::max(u1, p.u);
-    v0 = std::min(v0, p.v);
-    v1 = std::max(v1, p.v);
-  }
+double bounded_pixel(const FlatBox& box, double pixel_m, uint32_t margin) {
   const auto pixels = [&](double edge) {
     const double border = 1 + 2.0 * margin;
-    return ((u1 - u0) / edge + border) * ((v1 - v0) / edge + border);
+    return ((box.high.u - box.low.u) / edge + border) * ((box.high.v - box.low.v) / edge + border);
   };
   while (pixels(pixel_m) > kMaxPixels) pixel_m *= 2;
-  return rasterise(points, pixel_m, margin);
+  return pixel_m;
+}
+
+Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin) {
+  FlatBox box;
+  for (const Vec2& p : points) box.add(p);
+  return rasterise(points, bounded_pixel(box, pixel_m, margin), margin);
 }
 
 RegionRaster::RegionRaster(const FlatBox& box, const RegionRule& rule)

@@ -79,7 +79,9 @@ class RegionRaster {
 /// Area of the occupied pixels.
 double occupied_area_m2(const Raster& raster);
 
-/// The raster of points with a pixel that keeps it within a bound on memory.
+/// The pixel, or twice it, four times ... so that the image of a box stays within a bound on memory.
+double bounded_pixel(const FlatBox& box, double pixel_m, uint32_t margin);
+/// The raster of points with such a pixel.
 Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin);
 
 }  // namespace jalon

@@ -35,7 +35,9 @@ SegmentScene indexed_scene(const Cloud& cloud, const SurfaceSettings& settings, 
   SegmentScene scene{
       .cloud = cloud, .settings = settings, .tree = Octree::build(cloud.xyz(), anchored, task)};
   scene.order = scene.tree->order();
-  scene.origin = scene.tree->cube().origin;
+  const Octree& tree = *scene.tree;
+  scene.grid = {tree.grid_x(), tree.grid_y(), tree.grid_z(), tree.grid_step()};
+  scene.origin = tree.cube().origin;
   scene.owner.assign(scene.size(), 0);
   scene.rejections.assign(scene.size(), 0);
   if (scene.settings.curved()) scene.curved_rejections.assign(scene.size(), 0);
@@ -65,6 +67,7 @@ SegmentScene scene_with_cells(const Cloud& cloud, const SurfaceSettings& setting
 void release_points(SegmentScene& scene) {
   scene.order = {};
   scene.tree.reset();
+  scene.grid = {};
   scene.cell_firsts = {};
   scene.owner = {};
   scene.rejections = {};

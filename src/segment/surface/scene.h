@@ -22,6 +22,12 @@ namespace jalon {
 
 constexpr uint8_t kMostRejections = 3;
 
+/// The octree's coordinates, at hand: every step reads those of all points.
+struct GridCoordinates {
+  const int32_t *x = nullptr, *y = nullptr, *z = nullptr;
+  double step_m = 1;
+};
+
 /// What all steps of one run share. Points are named by their position in the octree's order; coordinates are
 /// relative to the octree's cube, which is the run's own and moves with the cloud.
 struct SegmentScene {
@@ -29,6 +35,7 @@ struct SegmentScene {
   SurfaceSettings settings;
   std::shared_ptr<const Octree> tree;
   std::span<const uint32_t> order = {};
+  GridCoordinates grid = {};
   Vec3 origin = {};  ///< of the local frame
   int fine_level = 0, coarse_level = 0;
   std::vector<std::vector<uint32_t>> cell_firsts =
@@ -58,7 +65,11 @@ struct SegmentScene {
     return std::ldexp(tree->cube().edge, -level[position]);
   }
   /// From the octree's grid: right to edge / 2^32.
-  Vec3 local(size_t position) const { return tree->local(position); }
+  Vec3 local(size_t position) const {
+    return Vec3{static_cast<double>(grid.x[position]), static_cast<double>(grid.y[position]),
+                static_cast<double>(grid.z[position])} *
+           grid.step_m;
+  }
   /// From the caller's doubles.
   Vec3 exact(size_t position) const { return cloud.point(order[position]) - origin; }
   /// Tolerance of the normal test as a cosine; 0 switches it off.
