@@ -22,6 +22,7 @@ ROOMS = {
 # The sub-rooms of a room and those straight below them in the same room; transitive as well. What stands in the room's own
 # folder is either shared (sees no sub-room, seen by all of them) or its front (sees any, seen by none).
 SUBROOMS = {
+    "cloud": {"sections": []},
     "geometry": {"geodesy": []},
     "model": {"relations": [], "trajectory": [], "buildings": []},
     "spatial": {"octree": [], "neighbours": ["octree"], "triangles": [], "voxels": []},
@@ -52,8 +53,8 @@ SUBROOMS = {
         "sheet": [], "names": [], "elevation": ["sheet", "names"], "charts": ["sheet"],
         "pictures": ["elevation"], "viewer": ["sheet"], "pages": ["pictures", "charts", "viewer"],
     },
-    "capi": {"support": []},
-    "cli": {"inputs": [], "outputs": [], "system": []},
+    "capi": {"support": [], "sections": ["support"]},
+    "cli": {"inputs": [], "outputs": [], "sections": ["inputs", "outputs"], "system": []},
 }
 MOST_FILES = 45  # of one folder: above, a room wants sub-rooms
 CODE = (".c", ".cpp", ".h", ".inc")

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "base/parallel.h"
-#include "segment/profiles/polylines.h"
+#include "spatial/polylines.h"
 
 namespace jalon {
 

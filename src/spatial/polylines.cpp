@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "segment/profiles/polylines.h"
+#include "spatial/polylines.h"
 
 #include <algorithm>
 #include <bit>
