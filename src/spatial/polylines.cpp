@@ -198,6 +198,24 @@ std::vector<ProfileNode> thin_points(std::span<const Vec2> points, double cell_m
   return nodes;
 }
 
+std::vector<uint32_t> fullest_neighbours(std::span<const ProfileNode> nodes, double cell_m) {
+  const std::vector<NodeCell> cells = cells_of(nodes, cell_m);
+  const NodeTable table(cells);
+  std::vector<uint32_t> out(nodes.size());
+  for (uint32_t i = 0; i < nodes.size(); ++i) {
+    out[i] = i;
+    uint32_t most = 0;
+    for (int64_t c = -1; c <= 1; ++c)
+      for (int64_t r = -1; r <= 1; ++r) {
+        const uint32_t other = table.at({cells[i].column + c, cells[i].row + r});
+        if (other == NodeTable::kNoNode || other == i || nodes[other].count <= most) continue;
+        most = nodes[other].count;
+        out[i] = other;
+      }
+  }
+  return out;
+}
+
 std::vector<std::vector<uint32_t>> chain_nodes(std::span<const ProfileNode> nodes, double cell_m,
                                                double gap_m) {
   return Chainer(nodes, cell_m, gap_m).run();

@@ -20,6 +20,10 @@ struct ProfileNode {
 std::vector<ProfileNode> thin_points(std::span<const Vec2> points, double cell_m,
                                      std::vector<uint32_t>& order);
 
+/// For each node that of most points among those in the eight cells about it; itself where there is none. Ties to the
+/// first.
+std::vector<uint32_t> fullest_neighbours(std::span<const ProfileNode> nodes, double cell_m);
+
 /// Chains of nodes, each the nearest one not yet in a chain, no farther than gap_m: from any node to both sides until
 /// there is none. Nodes within filled areas, where a surface lies in the slice, are left out. Indices of the nodes.
 /// cell_m: that of thin_points().

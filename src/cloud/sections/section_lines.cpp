@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spatial/polylines.h"
+#include "cloud/sections/section_pieces.h"
 
 namespace jalon {
 
@@ -13,29 +13,10 @@ namespace {
 
 constexpr double kPointsPerCell = 3;   // fewer leave cells empty, where a chain may break
 constexpr double kMostCellGaps = 0.5;  // of a gap: larger cells would bridge it
-constexpr size_t kLeastOfLoop = 4;     // nodes
-constexpr size_t kNodesWithoutEnds =
-    5;  // of a piece that leaves its end nodes, which hold the corner, out
-constexpr size_t kShortPiece = 4;  // nodes: what the cells of a corner leave of it
-constexpr int kTidyRounds = 3;
-constexpr double kJoinedShare =
-    0.75;  // of the tolerance: on a bend the lines meet farther off than their nodes lie
-constexpr double kLeastSine = 0.17;  // 10 degrees: flatter neighbours meet anywhere
-constexpr double kCornerReach = 3;   // cells: how far a corner may lie from its node
-
-double length_of(const Vec2& d) { return std::sqrt(d.u * d.u + d.v * d.v); }
-double cross_of(const Vec2& a, const Vec2& b) { return a.u * b.v - a.v * b.u; }
-
-/// A straight piece: its line, and the nodes that it was fitted to.
-struct Piece {
-  Vec2 middle, along;
-  size_t from, to;  ///< places in the chain, both included
-  Vec2 foot(const Vec2& p) const {
-    const Vec2 d = p - middle;
-    return middle + along * (d.u * along.u + d.v * along.v);
-  }
-  double distance(const Vec2& p) const { return std::fabs(cross_of(along, p - middle)); }
-};
+constexpr uint32_t kSparse = 3;        // times as many points have cells that take a neighbour's
+constexpr double kHopCells = 3;        // a longer step back beside the chain is none of its own
+constexpr double kBesideCells = 2;
+constexpr size_t kLeastOfLoop = 4;  // nodes
 
 class LineMaker {
  public:
@@ -46,9 +27,11 @@ class LineMaker {
     std::vector<SectionLine> lines;
     if (points_.size() < 2) return lines;
     thin();
+    const SectionPieces pieces_of(points_, nodes_, order_, cell_m_, settings_.tolerance_m);
     for (auto& chain : chain_nodes(nodes_, cell_m_, settings_.gap_m)) {
+      leave_stragglers(chain);
       if (chain.size() < 2) continue;
-      SectionLine line = line_of(std::move(chain));
+      SectionLine line = line_of(pieces_of, std::move(chain));
       if (line.vertices.size() >= 2 && line.length_m >= settings_.min_length_m)
         lines.push_back(std::move(line));
     }
@@ -64,156 +47,115 @@ class LineMaker {
       nodes_ = thin_points(points_, cell_m_, order_);
       const bool filled = static_cast<double>(points_.size()) >=
                           kPointsPerCell * static_cast<double>(nodes_.size());
-      if (filled || 2 * cell_m_ > kMostCellGaps * settings_.gap_m) return;
+      if (filled || 2 * cell_m_ > kMostCellGaps * settings_.gap_m) break;
       cell_m_ *= 2;
+    }
+    join_sparse_cells();
+  }
+
+  // The few points that noise puts into the next cell go to the cell that has the others, or a chain would pass it by
+  // and come back for it.
+  void join_sparse_cells() {
+    const std::vector<uint32_t> into = fullest_neighbours(nodes_, cell_m_);
+    std::vector<uint32_t> root(nodes_.size());
+    for (uint32_t i = 0; i < nodes_.size(); ++i) {
+      root[i] = i;
+      while (nodes_[into[root[i]]].count >= kSparse * nodes_[root[i]].count)
+        root[i] = into[root[i]];
+    }
+    std::vector<std::vector<uint32_t>> members(nodes_.size());
+    for (uint32_t i = 0; i < nodes_.size(); ++i) members[root[i]].push_back(i);
+    std::vector<ProfileNode> joined;
+    std::vector<uint32_t> order;
+    for (uint32_t i = 0; i < nodes_.size(); ++i) {
+      if (members[i].empty()) continue;
+      joined.push_back({nodes_[i].middle, static_cast<uint32_t>(order.size()), 0});
+      for (const uint32_t member : members[i]) {
+        const auto first = order_.begin() + nodes_[member].first;
+        order.insert(order.end(), first, first + nodes_[member].count);
+        joined.back().count += nodes_[member].count;
+      }
+    }
+    nodes_ = std::move(joined);
+    order_ = std::move(order);
+  }
+
+  // A chain that has come to its end may have stepped back to a node beside it that it had passed by.
+  void leave_stragglers(std::vector<uint32_t>& chain) const {
+    const auto apart = [&](uint32_t a, uint32_t b) { return norm(middle(a) - middle(b)); };
+    for (int side = 0; side < 2; ++side) {
+      while (chain.size() > 2 &&
+             apart(chain.back(), chain[chain.size() - 2]) > kHopCells * cell_m_ &&
+             std::any_of(chain.begin(), chain.end() - 1, [&](uint32_t node) {
+               return apart(node, chain.back()) <= kBesideCells * cell_m_;
+             }))
+        chain.pop_back();
+      std::reverse(chain.begin(), chain.end());
     }
   }
 
-  Vec2 at(uint32_t node) const { return nodes_[node].middle; }
-
-  SectionLine line_of(std::vector<uint32_t> chain) {
+  SectionLine line_of(const SectionPieces& pieces_of, std::vector<uint32_t> chain) const {
     SectionLine line;
     line.is_closed = is_loop(chain);
-    if (line.is_closed) begin_at_corner(chain);
-    std::vector<Vec2> middles;
-    for (const uint32_t node : chain) middles.push_back(at(node));
-    std::vector<uint32_t> kept = simplify(middles, settings_.tolerance_m);
+    if (line.is_closed) begin_far_out(chain);
+    std::vector<uint32_t> kept = simplified(chain);
+    if (line.is_closed) kept = pieces_of.tidied_loop(chain, std::move(kept));
     if (line.is_closed && kept.size() < kLeastOfLoop) {  // there and back again
       line.is_closed = false;
       chain.pop_back();
-      middles.pop_back();
-      kept = simplify(middles, settings_.tolerance_m);
+      kept = simplified(chain);
     }
-    for (int round = 0; round < kTidyRounds; ++round)
-      kept = without_short_pieces(chain, with_longest_pieces(chain, kept));
-    std::vector<Piece> pieces;
-    for (size_t k = 0; k + 1 < kept.size(); ++k) pieces.push_back(fit(chain, kept[k], kept[k + 1]));
-    if (!line.is_closed) line.vertices.push_back(end_of(chain, pieces.front(), true));
-    for (size_t k = 0; k + 1 < pieces.size(); ++k)
-      line.vertices.push_back(corner(pieces[k], pieces[k + 1], middles[kept[k + 1]]));
-    line.vertices.push_back(line.is_closed ? corner(pieces.back(), pieces.front(), middles.back())
-                                           : end_of(chain, pieces.back(), false));
-    measure(chain, pieces, line);
+    if (!line.is_closed) kept = pieces_of.tidied(chain, std::move(kept));
+    std::vector<SectionPiece> pieces;
+    for (size_t k = 0; k + 1 < kept.size(); ++k)
+      pieces.push_back(pieces_of.fit(chain, kept[k], kept[k + 1]));
+    const auto corner = [&](size_t k, size_t next) {
+      return pieces_of.corner(pieces[k], pieces[next], middle(chain[pieces[k].to]));
+    };
+    if (!line.is_closed)
+      line.vertices.push_back(end_of(pieces_of, chain.front(), pieces.front(), -1));
+    for (size_t k = 0; k + 1 < pieces.size(); ++k) line.vertices.push_back(corner(k, k + 1));
+    line.vertices.push_back(line.is_closed ? corner(pieces.size() - 1, 0)
+                                           : end_of(pieces_of, chain.back(), pieces.back(), 1));
+    measure(pieces_of, chain, pieces, line);
     return line;
+  }
+
+  std::vector<uint32_t> simplified(const std::vector<uint32_t>& chain) const {
+    return simplify(middles_of(chain), SectionPieces::kFirstShare * settings_.tolerance_m);
+  }
+  Vec2 middle(uint32_t node) const { return nodes_[node].middle; }
+  std::vector<Vec2> middles_of(const std::vector<uint32_t>& chain) const {
+    std::vector<Vec2> middles;
+    for (const uint32_t node : chain) middles.push_back(middle(node));
+    return middles;
   }
 
   // Does it come back to where it began?
   bool is_loop(const std::vector<uint32_t>& chain) const {
     if (chain.size() < kLeastOfLoop) return false;
     double length = 0;
-    for (size_t i = 1; i < chain.size(); ++i) length += length_of(at(chain[i]) - at(chain[i - 1]));
-    const double open = length_of(at(chain.back()) - at(chain.front()));
+    for (size_t i = 1; i < chain.size(); ++i)
+      length += norm(middle(chain[i]) - middle(chain[i - 1]));
+    const double open = norm(middle(chain.back()) - middle(chain.front()));
     return open <= settings_.gap_m && open <= length / 2 && length > 2 * settings_.gap_m;
   }
 
-  // A loop begins where nobody would look for a corner; the node farthest from there is one. It stands at both ends.
-  void begin_at_corner(std::vector<uint32_t>& chain) const {
+  // A loop begins anywhere; the node farthest from there is near a corner. It then stands at both ends.
+  void begin_far_out(std::vector<uint32_t>& chain) const {
     size_t far = 0;
+    const auto out = [&](size_t i) { return norm(middle(chain[i]) - middle(chain[0])); };
     for (size_t i = 1; i < chain.size(); ++i)
-      if (length_of(at(chain[i]) - at(chain[0])) > length_of(at(chain[far]) - at(chain[0])))
-        far = i;
+      if (out(i) > out(far)) far = i;
     std::rotate(chain.begin(), chain.begin() + static_cast<ptrdiff_t>(far), chain.end());
     chain.push_back(chain.front());
   }
 
-  template <class F>
-  void for_each_point(uint32_t node, F&& f) const {
-    for (uint32_t k = nodes_[node].first; k < nodes_[node].first + nodes_[node].count; ++k)
-      f(points_[order_[k]]);
-  }
-
-  Piece fit(const std::vector<uint32_t>& chain, size_t from, size_t to) const {
-    const Vec2 chord = at(chain[to]) - at(chain[from]);
-    const double length = length_of(chord);
-    Piece piece{at(chain[from]), length > 0 ? chord * (1 / length) : Vec2{1, 0}, from, to};
-    const size_t margin = to - from + 1 >= kNodesWithoutEnds ? 1 : 0;
-    const Vec2 reference = piece.middle;
-    double n = 0;
-    Vec2 sum{0, 0};
-    for (size_t i = from + margin; i + margin <= to; ++i)
-      for_each_point(chain[i], [&](const Vec2& p) {
-        sum = sum + (p - reference);
-        n += 1;
-      });
-    const Vec2 mean = reference + sum * (1 / n);
-    double uu = 0, uv = 0, vv = 0;
-    for (size_t i = from + margin; i + margin <= to; ++i)
-      for_each_point(chain[i], [&](const Vec2& p) {
-        const Vec2 d = p - mean;
-        uu += d.u * d.u, uv += d.u * d.v, vv += d.v * d.v;
-      });
-    if (!(uu + vv > 0)) return piece;
-    const double angle = 0.5 * std::atan2(2 * uv, uu - vv);
-    Vec2 along{std::cos(angle), std::sin(angle)};
-    const double onward = along.u * piece.along.u + along.v * piece.along.v;
-    // Of a short piece in the noise the points may spread across it: its chord tells more.
-    if (std::fabs(onward) < std::sqrt(0.5)) return piece;
-    piece.middle = mean;
-    piece.along = onward < 0 ? along * -1.0 : along;
-    return piece;
-  }
-
-  // Neighbours whose nodes one line fits within the tolerance as well: chords of cells zigzag where lines of all points
-  // do not.
-  std::vector<uint32_t> with_longest_pieces(const std::vector<uint32_t>& chain,
-                                            const std::vector<uint32_t>& kept) const {
-    std::vector<uint32_t> out{kept.front()};
-    for (size_t k = 1; k < kept.size(); ++k) {
-      while (out.size() > 1 && one_line(chain, out[out.size() - 2], kept[k])) out.pop_back();
-      out.push_back(kept[k]);
-    }
-    return out;
-  }
-  bool one_line(const std::vector<uint32_t>& chain, size_t from, size_t to) const {
-    const Piece piece = fit(chain, from, to);
-    const size_t margin = to - from + 1 >= kNodesWithoutEnds ? 1 : 0;
-    for (size_t i = from + margin; i + margin <= to; ++i)
-      if (piece.distance(at(chain[i])) > kJoinedShare * settings_.tolerance_m) return false;
-    return true;
-  }
-
-  // The cell of a corner has its mean within it, which cuts it off: a short piece goes where its nodes are within the
-  // tolerance of the lines before and behind it.
-  std::vector<uint32_t> without_short_pieces(const std::vector<uint32_t>& chain,
-                                             const std::vector<uint32_t>& kept) const {
-    if (kept.size() < 4) return kept;
-    std::vector<uint32_t> out{kept.front()};
-    size_t k = 1;
-    for (; k + 2 < kept.size(); ++k) {
-      const uint32_t from = kept[k], to = kept[k + 1];
-      if (to - from + 1 > kShortPiece || !corner_holds(chain, fit(chain, out.back(), from),
-                                                       fit(chain, to, kept[k + 2]), from, to)) {
-        out.push_back(from);
-        continue;
-      }
-      out.push_back((from + to) / 2);
-      ++k;
-    }
-    for (; k < kept.size(); ++k) out.push_back(kept[k]);
-    return out;
-  }
-  bool corner_holds(const std::vector<uint32_t>& chain, const Piece& before, const Piece& behind,
-                    size_t from, size_t to) const {
-    for (size_t i = from; i <= to; ++i)
-      if (std::min(before.distance(at(chain[i])), behind.distance(at(chain[i]))) >
-          settings_.tolerance_m)
-        return false;
-    return true;
-  }
-
-  Vec2 corner(const Piece& a, const Piece& b, const Vec2& node) const {
-    const double sine = cross_of(a.along, b.along);
-    const Vec2 between = (a.foot(node) + b.foot(node)) * 0.5;
-    if (std::fabs(sine) < kLeastSine) return between;
-    const Vec2 meeting = a.middle + a.along * (cross_of(b.middle - a.middle, b.along) / sine);
-    return length_of(meeting - node) <= kCornerReach * cell_m_ ? meeting : between;
-  }
-
-  // As far as the points of the outermost node reach.
-  Vec2 end_of(const std::vector<uint32_t>& chain, const Piece& piece, bool first) const {
-    const double sign = first ? -1 : 1;
+  // As far along the piece, or back, as the points of the outermost node reach.
+  static Vec2 end_of(const SectionPieces& pieces_of, uint32_t node, const SectionPiece& piece,
+                     double sign) {
     double far = -INFINITY;
-    for_each_point(first ? chain.front() : chain.back(), [&](const Vec2& p) {
+    pieces_of.for_each_point(node, [&](const Vec2& p) {
       const Vec2 d = p - piece.middle;
       far = std::max(far, sign * (d.u * piece.along.u + d.v * piece.along.v));
     });
@@ -221,8 +163,8 @@ class LineMaker {
   }
 
   // Length, and how far the points lie from it: those of a node from the sides next to it.
-  void measure(const std::vector<uint32_t>& chain, const std::vector<Piece>& pieces,
-               SectionLine& line) const {
+  static void measure(const SectionPieces& pieces_of, const std::vector<uint32_t>& chain,
+                      const std::vector<SectionPiece>& pieces, SectionLine& line) {
     const size_t sides = pieces.size(), vertices = line.vertices.size();
     const auto vertex = [&](size_t side) {  // where a side begins
       return line.is_closed ? line.vertices[(side + vertices - 1) % vertices] : line.vertices[side];
@@ -231,14 +173,14 @@ class LineMaker {
       const Vec2 a = vertex(side), d = vertex(side + 1) - a, q = p - a;
       const double squared = d.u * d.u + d.v * d.v;
       const double t = squared > 0 ? std::clamp((q.u * d.u + q.v * d.v) / squared, 0.0, 1.0) : 0;
-      return length_of(q - d * t);
+      return norm(q - d * t);
     };
-    for (size_t s = 0; s < sides; ++s) line.length_m += length_of(vertex(s + 1) - vertex(s));
+    for (size_t s = 0; s < sides; ++s) line.length_m += norm(vertex(s + 1) - vertex(s));
     double sum = 0;
     const size_t nodes = chain.size() - (line.is_closed ? 1 : 0);
     for (size_t i = 0, s = 0; i < nodes; ++i) {
       while (s + 1 < sides && i > pieces[s].to) ++s;
-      for_each_point(chain[i], [&](const Vec2& p) {
+      pieces_of.for_each_point(chain[i], [&](const Vec2& p) {
         double near = from_side(s, p);
         if (s + 1 < sides || line.is_closed) near = std::min(near, from_side((s + 1) % sides, p));
         if (s > 0 || line.is_closed) near = std::min(near, from_side((s + sides - 1) % sides, p));

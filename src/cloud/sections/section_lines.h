@@ -21,8 +21,8 @@ struct SectionLine {
 };
 
 /// The lines that points in a plane show: 1. thinned by square cells with some points each; 2. cells chained to the
-/// nearest up to gap_m; 3. chains simplified (Douglas & Peucker 1973); 4. each straight piece fitted by least squares to
-/// its points, corners where neighbours meet. The same bits for any order of the points. cell_m: of the cells taken.
+/// nearest up to gap_m; 3. chains simplified (Douglas & Peucker 1973); 4. each straight piece fitted by least squares
+/// to its points, corners where neighbours meet. The same bits for any order of the points. cell_m: of the cells taken.
 std::vector<SectionLine> section_lines(std::span<const Vec2> points,
                                        const SectionSettings& settings, double& cell_m);
 

@@ -68,3 +68,12 @@ TEST_CASE("polylines__chains_follow_a_wall_and_break_at_gaps") {
   }
   CHECK(used == nodes.size());
 }
+
+TEST_CASE("polylines__the_fullest_neighbour_is_of_the_eight_cells_about") {
+  const std::vector<ProfileNode> nodes{{{0.5, 0.5}, 0, 2},
+                                       {{0.5, 1.5}, 2, 5},
+                                       {{1.5, 1.5}, 7, 5},
+                                       {{2.5, 0.5}, 12, 9},
+                                       {{9, 9}, 21, 1}};
+  CHECK(fullest_neighbours(nodes, 1) == std::vector<uint32_t>{1, 2, 3, 2, 4});
+}
