@@ -14,7 +14,7 @@ ARRAYS = {
     "xyz": "count", "x": "count", "y": "count", "z": "count",
     "data": "count", "values": "count", "indices": "count", "names": "count",
     "queries": "count", "seeds": "count", "picks": "count", "places": "count",
-    "polygon_uv": "count", "clouds": "count", "probabilities": "count",
+    "alignment": "alignment_count", "polygon_uv": "count", "clouds": "count", "probabilities": "count",
     "vertices": "count_vertices", "triangles": "count_triangles",
     "pieces": "piece_count", "hull_points": "hull_point_count", "poses": "pose_count",
     "reference": "reference_count", "moving": "moving_count",
@@ -31,7 +31,7 @@ COUNTS = {
 }
 # Elements an item, of packed arrays whose items are more than one.
 ROWS = {
-    "xyz": 3, "queries": 3, "picks": 3, "places": 3, "vertices": 3, "triangles": 3,
+    "alignment": 3, "xyz": 3, "queries": 3, "picks": 3, "places": 3, "vertices": 3, "triangles": 3,
     "hull_points": 3, "automatic_xyz": 3, "reference_xyz": 3, "positions_m": 3, "attitudes_rad": 3,
     "position_sigmas_m": 3, "velocity_sigmas_m_s": 3, "attitude_sigmas_rad": 3,
     "polygon_uv": 2, "automatic_uv": 2, "reference_uv": 2,
@@ -57,7 +57,7 @@ NULLABLE = {
     # inputs
     "task", "options", "method", "other", "user", "callback",
     "pose", "origin", "covariance", "T_box_world", "T_prism_world",
-    "unit", "meaning", "notes_json", "sigma_path",
+    "alignment", "unit", "meaning", "notes_json", "sigma_path",
     "face_ids", "places", "vertical_rad", "incidence_rad",
     "position_sigmas_m", "velocity_sigmas_m_s", "attitude_sigmas_rad",
     # outputs that a caller may leave aside
@@ -186,6 +186,8 @@ OPERATION = {
     "jalon_cloud_volume": "volume",
     "jalon_model_volume": "volume",
     "jalon_model_sample": "model_sample",
+    "jalon_cloud_sections": "sections",
+    "jalon_sections_write": "write",
     "jalon_model_relations": "relations",
     "jalon_segmentation_long_edges": "long_edges",
     "jalon_trajectory_create": "trajectory",

@@ -21,6 +21,7 @@
 #include <jalon/fields.h>
 #include <jalon/cloud.h>
 #include <jalon/search.h>
+#include <jalon/sections.h>
 #include <jalon/model.h>
 #include <jalon/adjustment.h>
 #include <jalon/buildings.h>

@@ -10,6 +10,7 @@
 #include "compare/clearance/clearance.h"
 #include "compare/changes/diagnosis.h"
 #include "cloud/precision.h"
+#include "cloud/sections/sections.h"
 #include "compare/distance/model_sample.h"
 #include "compare/visibility/visibility.h"
 #include "fieldtools/chamfer.h"
@@ -100,6 +101,7 @@ std::span<const Operation> operations() {
       {"distance_map", distance_map_rows},
       {"clearance", clearance_rows},
       {"target", target_rows},
+      {"sections", section_rows},
       {"relations", relation_rows},
       {"long_edges", edge_curve_rows},
       {"trajectory", trajectory_rows},

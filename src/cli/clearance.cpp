@@ -9,6 +9,7 @@
 #include "cli/options.h"
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
+#include "cli/outputs/clearance_drawing.h"
 #include "cli/table.h"
 
 namespace jalon::cli {

@@ -65,6 +65,7 @@ int run(int argc, char** argv) {
     add_formats(app);
     add_clean(app);
     add_cut(app);
+    add_sections(app);
     add_normals(app);
     add_facade(app);
     add_segment(app);

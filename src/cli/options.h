@@ -75,6 +75,7 @@ void add_convert(Command& app);
 void add_formats(Command& app);
 void add_clean(Command& app);
 void add_cut(Command& app);
+void add_sections(Command& app);
 void add_normals(Command& app);
 void add_facade(Command& app);
 void add_segment(Command& app);

@@ -34,6 +34,7 @@ jalon_cloud* fx_driven_cloud;
 jalon_model* fx_driven_strips;
 jalon_adjustment* fx_adjustment;
 jalon_network* fx_network;
+jalon_sections* fx_sections;
 jalon_task *fx_task, *fx_task_own;
 jalon_params* fx_typed[7];
 const char* fx_typed_name[7];
@@ -304,6 +305,10 @@ static void make_adjustment(void) {
       "id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n", NULL, NULL, &fx_network));
 }
 
+static void make_sections(void) {
+  MUST(jalon_cloud_sections(fx_cloud, NULL, 0, NULL, NULL, &fx_sections));
+}
+
 static void make_files(void) {
   char made[200];
   snprintf(made, sizeof made, "%s/jalon_wild_XXXXXX", getenv("TMPDIR") ? getenv("TMPDIR") : "/tmp");
@@ -334,6 +339,7 @@ void fx_begin(void) {
   make_workers();
   make_trajectories();
   make_adjustment();
+  make_sections();
   make_files();
 }
 
@@ -380,6 +386,7 @@ void fx_end(void) {
   jalon_model_release(fx_driven_strips);
   jalon_adjustment_release(fx_adjustment);
   jalon_network_release(fx_network);
+  jalon_sections_release(fx_sections);
   jalon_task_release(fx_task);
   jalon_task_release(fx_task_own);
   free(fx_long_text);

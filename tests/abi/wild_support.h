@@ -40,6 +40,7 @@ extern jalon_cloud* fx_driven_cloud;
 extern jalon_model* fx_driven_strips;
 extern jalon_adjustment* fx_adjustment;
 extern jalon_network* fx_network;
+extern jalon_sections* fx_sections;
 extern jalon_task *fx_task, *fx_task_own;
 extern jalon_params* fx_typed[7];    /* a set with a row of each type ... */
 extern const char* fx_typed_name[7]; /* ... and that row's name */

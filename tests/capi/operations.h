@@ -331,6 +331,7 @@ static const struct {
     {"change outlines", op_change_outlines},
     {"visibility", op_visibility},
     {"volume", op_volume},
+    {"sections", op_sections},
     {"icp", op_icp},
     {"automatic registration", op_automatic},
 };

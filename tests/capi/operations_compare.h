@@ -208,6 +208,18 @@ static inline jalon_status op_volume(const jalon_cloud* cloud, jalon_task* task,
   return status;
 }
 
+static inline jalon_status op_sections(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  jalon_params* options = NULL;
+  jalon_sections* sections = NULL;
+  jalon_status status = jalon_params_create("sections", &options);
+  if (status == JALON_OK) status = jalon_params_set_double(options, "step_m", 0.25);
+  if (status == JALON_OK) status = jalon_cloud_sections(cloud, NULL, 0, options, task, &sections);
+  jalon_params_release(options);
+  if (status == JALON_OK) status = jalon_sections_vertices(sections, &out->fields);
+  jalon_sections_release(sections);
+  return status;
+}
+
 static inline jalon_status register_by(const char* method, const jalon_cloud* cloud,
                                        jalon_task* task, made* out) {
   jalon_cloud* moved = NULL;

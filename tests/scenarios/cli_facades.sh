@@ -80,6 +80,25 @@ ends 2 'needs 3' cut cube.xyz -o none.xyz --polygon '0,0; 1,0'
 ends 2 'two numbers' cut cube.xyz -o none.xyz --polygon '0,0; 1,0,3; 2,0'
 ends 2 'no number' cut cube.xyz -o none.xyz --polygon '0,0; 1,x; 2,0'
 ends 2 'polygon-file' cut cube.xyz -o none.xyz
+
+# Sections at heights and along an alignment, of a hall 8 x 5 m, 3 m high.
+python3 - <<'END'
+with open("hall.xyz", "w") as f:
+    for i in range(401):
+        for k in range(61):
+            for x, y in ((0.02 * i, 0), (0.02 * i, 5), (0, 0.0125 * i), (8, 0.0125 * i)):
+                f.write("%.4f %.4f %.4f\n" % (x, y, 0.05 * k))
+END
+printf '# along the hall\n-1 2.5\n9 2.5 7\n' >axis.txt
+says 'Z 2.000: 1 line, 26.00 m' sections hall.xyz --unit m -o plans --heights 1,2 --set thickness_m=0.06
+judge "a section is a polyline on a layer of its name" bash -c '[ "$(grep -c LWPOLYLINE plans/sections.dxf)" = 2 ] && grep -q ^Z_2.000 plans/sections.dxf'
+judge "the drawing tells heights and scale" bash -c 'grep -q "Z 2.000" plans/sections.svg && grep -q "scale 1 : " plans/sections.svg'
+says 'STATION 5.000: 2 lines, 6.00 m' sections hall.xyz --unit m -o cross --alignment axis.txt --stations 5
+says 'D 4.000: 2 lines' sections hall.xyz -o along --direction 1,0,0 --heights 4
+ends 5 'no line in any section' sections hall.xyz -o none --heights 9
+ends 2 'no numbers' sections hall.xyz -o none --heights 1,x
+ends 2 'no --heights' sections hall.xyz -o none --heights 1 --alignment axis.txt
+ends 2 'the alignment has 0 to 10 m' sections hall.xyz -o none --alignment axis.txt --stations 11
 ends 2 'above --to' cut cube.xyz -o none.xyz --polygon-file square.txt --from 2 --to 1
 ends 3 'nowhere.txt' cut cube.xyz -o none.xyz --polygon-file nowhere.txt
 

@@ -198,11 +198,10 @@ def documented():
 
 def walls():
     """Each public function is defined in the capi file of its header, and each status comes out of guard()."""
-    folder = os.path.join(ROOT, "src", "capi")
     bodies = {}
-    for name in sorted(os.listdir(folder)):
-        if name.endswith(".cpp"):
-            code = without_comments(read("src/capi/" + name))
+    for folder, _, names in sorted(os.walk(os.path.join(ROOT, "src", "capi"))):
+        for name in sorted(n for n in names if n.endswith(".cpp")):
+            code = without_comments(read(os.path.relpath(os.path.join(folder, name), ROOT)))
             for match in re.finditer(r"^[\w\s*]*?\b(jalon_\w+)\s*\(([^;{}]*)\)\s*(?:noexcept\s*)?\{", code, re.M):
                 bodies[match.group(1)] = (name, code[match.end():match.end() + 200])
     for function in public_functions():

@@ -54,7 +54,7 @@ SUBROOMS = {
         "pictures": ["elevation"], "viewer": ["sheet"], "pages": ["pictures", "charts", "viewer"],
     },
     "capi": {"support": [], "sections": ["support"]},
-    "cli": {"inputs": [], "outputs": [], "sections": ["inputs", "outputs"], "system": []},
+    "cli": {"inputs": [], "outputs": [], "system": []},
 }
 MOST_FILES = 45  # of one folder: above, a room wants sub-rooms
 CODE = (".c", ".cpp", ".h", ".inc")

@@ -79,6 +79,10 @@ internal static class Described {
     return "points: " + summary.Doubles("points")[0] + "; redundancy: " + summary.Doubles("redundancy")[0];
   }
 
+  internal static string About(Sections sections) {
+    return "sections: " + RowsOf(sections.GetSummary()) + "; lines: " + RowsOf(sections.GetLines());
+  }
+
   internal static string About(Trajectory trajectory) {
     return "epochs: " + trajectory.Count + "; axes: " + trajectory.Axes;
   }

@@ -23,9 +23,4 @@ Gauge read_gauge(const std::string& path);
 /// out.
 std::vector<jalon_transform> read_trajectory(const std::string& path);
 
-/// The least clearance of each pose interval along the trajectory as SVG text, with the margin and the contacts.
-/// clearances: NaN where nothing is within reach_m. unit: how lengths are labelled.
-std::string clearance_drawing(const std::vector<double>& clearances, double margin_m,
-                              double reach_m, const std::string& unit);
-
 }  // namespace jalon::cli

@@ -14,6 +14,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kMostSections = 100000;  // of one call: a cut a metre through 100 km
+constexpr double kOwnStep_m = 1;          // where no place is told
 constexpr double kLevel = 0.95;           // |z| of a direction whose sections are seen from above
 constexpr double kStationSlack_m = 1e-9;  // rounding of the alignment's length
 constexpr size_t kSectionPointsPerChunk = 1 << 14;
@@ -28,16 +29,14 @@ Vec3 unit_direction(const SectionSettings& settings) {
 
 // Those of at_m and the multiples of the step in [low, high], each once.
 std::vector<double> places_of(const SectionSettings& settings, double low, double high) {
-  if (settings.at_m.empty() && !(settings.step_m > 0))
-    fail(Status::kInvalidArgument, "at_m or step_m must tell where to cut");
   std::vector<double> places = settings.at_m;
-  if (settings.step_m > 0) {
-    const double first = std::ceil(low / settings.step_m),
-                 last = std::floor(high / settings.step_m);
+  const double step_m = settings.step_m > 0 ? settings.step_m : places.empty() ? kOwnStep_m : 0;
+  if (step_m > 0) {
+    const double first = std::ceil(low / step_m), last = std::floor(high / step_m);
     if (!(last - first < static_cast<double>(kMostSections)))
-      fail(Status::kLimit, "a step of %s m makes more than %zu sections",
-           text_of(settings.step_m).c_str(), kMostSections);
-    for (double k = first; k <= last; ++k) places.push_back(k * settings.step_m);
+      fail(Status::kLimit, "a step of %s m makes more than %zu sections", text_of(step_m).c_str(),
+           kMostSections);
+    for (double k = first; k <= last; ++k) places.push_back(k * step_m);
   }
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());

@@ -20,7 +20,7 @@ struct SectionPlane {
 };
 
 /// Across one direction: level ones are seen from above, others look along the direction. Places from the settings,
-/// ascending; Error(kInvalidArgument) where these name none, Error(kLimit) where they name far too many.
+/// ascending; Error(kLimit) where these name far too many.
 std::vector<SectionPlane> planes_along_direction(const Cloud& cloud,
                                                  const SectionSettings& settings, Task& task);
 /// Upright ones across an alignment in plan, which look along it: the origin lies on it at height 0, so that u is the

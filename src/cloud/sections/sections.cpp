@@ -28,8 +28,8 @@ constexpr auto kSectionRows = setting_rows(
         "Where to cut: heights, places along the direction, or stations of the alignment."),
     number_row<&SectionSettings::step_m>(
         "step_m", 0, 1e6, "m", "",
-        "Cuts also at all multiples of it, as far as the cloud or the alignment goes; 0 = at_m "
-        "alone."),
+        "Distance from section to section: cuts also at all multiples of it, as far as the cloud "
+        "or the alignment goes; 0 = at_m alone, or each metre where that is empty."),
     number_row<&SectionSettings::thickness_m>(
         "thickness_m", 1e-6, 1000, "m", "",
         "Points within half of it on either side are taken into the section."),

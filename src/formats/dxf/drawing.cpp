@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "formats/dxf/drawing.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/chords.h"
@@ -110,6 +111,14 @@ uint32_t Layers::of_part(const Model& model, uint32_t part) {
   if (part >= model.parts.size()) return of_class(part_class::kElement);
   const Part& p = model.parts[part];
   return of_class(p.part_class, p.evidence == Evidence::kCopied);
+}
+
+uint32_t Layers::named(const std::string& name, int colour, DxfVersion version) {
+  std::string safe = version == DxfVersion::kR12 ? layer_name(name, false) : name;
+  std::replace(safe.begin(), safe.end(), ' ', '_');
+  const auto [entry, added] = index_.try_emplace(safe, static_cast<uint32_t>(layers_.size()));
+  if (added) layers_.push_back({safe, colour, false});
+  return entry->second;
 }
 
 uint32_t Layers::of_class(const std::string& part_class, bool copied) {

@@ -27,6 +27,8 @@ class Layers {
   Layers() : layers_{{"0", 7, false}}, index_{{"0", 0}} {}
   /// The layer of a part: its class in capitals, "-COPIED" behind it for copies.
   uint32_t of_part(const Model& model, uint32_t part);
+  /// By its own name, made safe for the release.
+  uint32_t named(const std::string& name, int colour, DxfVersion version);
   /// A class that no part stands for, e.g. openings of unknown kind.
   uint32_t of_class(const std::string& part_class, bool copied = false);
   const std::vector<Layer>& all() const { return layers_; }
@@ -36,7 +38,7 @@ class Layers {
   std::map<std::string, uint32_t> index_;
 };
 
-/// A closed chain of lines and arcs in a plane of this normal.
+/// A chain of lines and arcs in a plane of this normal.
 struct Polyline {
   std::vector<Vec3> corners;
   std::vector<double>
@@ -45,6 +47,8 @@ struct Polyline {
   uint32_t layer = 0;
   uint32_t part = kNoPart;
   uint32_t face_id = 0;
+  bool is_closed = true;
+  bool is_ring = true;  ///< of a face, which it then tells as application data
 };
 
 /// A number on a face, as high as it can be read with the face in view.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/task.h"
+#include "cloud/sections/sections.h"
 #include "formats/files/byte_source.h"
 #include "formats/settings.h"
 #include "model/model.h"
@@ -17,6 +18,9 @@ namespace jalon {
 /// again. In metres by $INSUNITS or the option "unit". Other entities are counted in the log.
 Model read_dxf(const ByteSource& source, const ReadSettings& settings, Task& task);
 void write_dxf(const Model& model, const std::string& path, const WriteSettings& settings,
+               Task& task);
+/// Sections where they are in space, each on a layer that has its name, its lines as polylines, closed or open.
+void write_dxf(const Sections& sections, const std::string& path, const WriteSettings& settings,
                Task& task);
 
 }  // namespace jalon

@@ -49,6 +49,7 @@ void begin_entity(Text& text, const char* name, const Layer& layer, uint64_t han
 
 // What it is, for programs that ask: application data that CAD systems carry along.
 void add_data(Text& text, const Polyline& line, const Model& model) {
+  if (!line.is_ring) return;
   text.group(1001, "JALON").group(1000, "face=" + std::to_string(line.face_id));
   if (line.part >= model.parts.size()) return;
   const Part& part = model.parts[line.part];
@@ -67,7 +68,9 @@ void add_data(Text& text, const Polyline& line, const Model& model) {
 void add_lightweight(Text& text, const Polyline& line, const Planar& flat, const Layer& layer,
                      uint64_t handle) {
   begin_entity(text, "LWPOLYLINE", layer, handle);
-  text.subclass("AcDbPolyline").group(90, static_cast<int>(line.corners.size())).group(70, kClosed);
+  text.subclass("AcDbPolyline")
+      .group(90, static_cast<int>(line.corners.size()))
+      .group(70, line.is_closed ? kClosed : 0);
   text.group(43, 0.0).group(38, flat.elevation_m);
   for (size_t i = 0; i < line.corners.size(); ++i) {
     text.group(10, flat.corners[i].x).group(20, flat.corners[i].y);
@@ -83,7 +86,7 @@ void add_heavy(Text& text, const Polyline& line, const Planar* flat, const Layer
   begin_entity(text, "POLYLINE", layer, own);
   text.subclass(flat != nullptr ? "AcDb2dPolyline" : "AcDb3dPolyline").group(66, 1);
   text.point(10, {0, 0, flat != nullptr ? flat->elevation_m : 0});
-  text.group(70, flat != nullptr ? kClosed : kClosed + kPolyline3d);
+  text.group(70, (line.is_closed ? kClosed : 0) + (flat != nullptr ? 0 : kPolyline3d));
   if (flat != nullptr) text.point(210, line.normal);
   add_data(text, line, model);
   for (size_t i = 0; i < line.corners.size(); ++i) {

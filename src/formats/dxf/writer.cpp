@@ -54,7 +54,56 @@ void write_entities(AtomicFile& file, const Drawing& drawing, const Model& model
   file.write(text.take());
 }
 
+void write_drawing(const Drawing& drawing, const Model& model, const std::string& path,
+                   Version version, Task& task) {
+  AtomicFile file(path);
+  Text text(version);
+  add_header(text, drawing, handles_end(drawing));
+  if (!text.is_r12()) add_classes(text, drawing);
+  add_tables(text, drawing);
+  add_blocks(text);
+  file.write(text.take());
+  write_entities(file, drawing, model, version, task);
+  if (!text.is_r12()) add_objects(text, drawing);
+  text.group(0, "EOF");
+  file.write(text.take());
+  task.checkpoint(1);
+  file.commit();
+}
+
+// Each section on a layer of its own, in the colours that CAD programs tell apart, one after the other.
+Drawing draw_sections(const Sections& sections, Version version) {
+  constexpr int kColours = 6;  // red ... magenta
+  Drawing drawing;
+  for (size_t s = 0; s < sections.sections.size(); ++s) {
+    const Section& section = sections.sections[s];
+    const uint32_t layer = drawing.layers.named(
+        sections.name(s), static_cast<int>(s % static_cast<size_t>(kColours)) + 1, version);
+    for (const SectionLine& line : section.lines) {
+      Polyline drawn;
+      for (const Vec2& p : line.vertices) {
+        drawn.corners.push_back(section.plane.place(p));
+        drawing.box.add(drawn.corners.back());
+      }
+      drawn.normal = section.plane.normal;
+      drawn.layer = layer;
+      drawn.is_closed = line.is_closed;
+      drawn.is_ring = false;
+      drawing.polylines.push_back(std::move(drawn));
+    }
+    drawing.view_direction = section.plane.normal;
+  }
+  return drawing;
+}
+
 }  // namespace
+
+void write_dxf(const Sections& sections, const std::string& path, const WriteSettings& settings,
+               Task& task) {
+  ProgressSpan span(task, 0, 0.99, "writing DXF");
+  write_drawing(draw_sections(sections, settings.dxf_version), Model{}, path, settings.dxf_version,
+                task);
+}
 
 void write_dxf(const Model& model, const std::string& path, const WriteSettings& settings,
                Task& task) {
@@ -70,19 +119,7 @@ void write_dxf(const Model& model, const std::string& path, const WriteSettings&
     drawing.images = linked_images(settings.dxf_images, path, model, in_space);
     drawing.image_layer = drawing.layers.of_class("orthoimage");
   }
-  AtomicFile file(path);
-  Text text(version);
-  add_header(text, drawing, handles_end(drawing));
-  if (!text.is_r12()) add_classes(text, drawing);
-  add_tables(text, drawing);
-  add_blocks(text);
-  file.write(text.take());
-  write_entities(file, drawing, model, version, task);
-  if (!text.is_r12()) add_objects(text, drawing);
-  text.group(0, "EOF");
-  file.write(text.take());
-  task.checkpoint(1);
-  file.commit();
+  write_drawing(drawing, model, path, version, task);
 }
 
 }  // namespace jalon

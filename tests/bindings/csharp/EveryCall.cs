@@ -12,7 +12,7 @@ static class EveryCall {
   static readonly Type[] nouns = {
       typeof(Adjustment), typeof(Cloud), typeof(CloudBuilder), typeof(Comparer), typeof(Comparison), typeof(Evaluation), typeof(Fields), typeof(Gauge),
       typeof(JalonTask), typeof(Model), typeof(ModelEvaluation), typeof(Modeller), typeof(Network), typeof(NoiseLaw), typeof(Params), typeof(Registrar),
-      typeof(Registration), typeof(Scanner), typeof(Segmentation), typeof(Segmenter), typeof(Targets), typeof(Trajectory), typeof(ArrayView), typeof(Library)};
+      typeof(Registration), typeof(Scanner), typeof(Sections), typeof(Segmentation), typeof(Segmenter), typeof(Targets), typeof(Trajectory), typeof(ArrayView), typeof(Library)};
 
   static IEnumerable<MethodBase> Members(Type type) {
     const BindingFlags all = BindingFlags.Public | BindingFlags.Instance | BindingFlags.Static | BindingFlags.DeclaredOnly;

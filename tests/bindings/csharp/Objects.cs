@@ -57,6 +57,7 @@ static class Objects {
     if (isDriven && type == typeof(Model)) return Survey.Driven.Model;
     if (type == typeof(Adjustment)) return Survey.Adjusted;
     if (type == typeof(Network)) return Network.Adjust(Survey.Sights, Survey.Nails);
+    if (type == typeof(Sections)) return Survey.Scan.Sections();
     if (type == typeof(Cloud)) return name == "compared" || name == "moving" || name == "b" ? Survey.Second : Survey.Scan;
     if (type == typeof(Model)) return member == "GaugeSweepModel" && name == "gauge" ? Survey.Tetrahedron() : Survey.Facade;
     if (type == typeof(Params)) return name == "self" ? new NormalsOptions() : null;

@@ -13,7 +13,7 @@ static class RealValues {
   static readonly Dictionary<string, ArrayArgument> arrays = new Dictionary<string, ArrayArgument> {
       {"xyz", corners}, {"points", corners}, {"x", three}, {"y", three}, {"z", three}, {"queries", new double[] {5, 0, 2, 10, 0, 5}},
       {"vertices", corners}, {"triangles", new[] {0, 1, 2, 0, 1, 3}}, {"faceIds", new[] {1, 2}},
-      {"polygonUv", new double[] {-50, -50, 50, -50, 50, 50, -50, 50}}, {"picks", Survey.OnWall}, {"places", Survey.Ball},
+      {"alignment", new double[] {0, 0, 0, 10, 0, 0}}, {"polygonUv", new double[] {-50, -50, 50, -50, 50, 50, -50, 50}}, {"picks", Survey.OnWall}, {"places", Survey.Ball},
       {"values", new[] {0.001, 0.002, 0.003}}, {"probabilities", new[] {0.1, 0.5, 0.9}}, {"automaticM2", three}, {"referenceM2", three},
       {"intersectionM2", new double[] {9, 19, 29}}, {"automaticUv", square}, {"referenceUv", square}, {"automaticRings", new[] {4}},
       {"referenceRings", new[] {4}}, {"automaticXyz", corners}, {"referenceXyz", corners}, {"rangesM", three},
@@ -37,7 +37,7 @@ static class RealValues {
       {"Boolean.name", "curvature"}, {"String.name", "method"}, {"Double[].name", "viewpoint"}, {"Object.name", "k"},
       {"ArrayArgument.name", "viewpoint"},
       {"Cloud.Read.path", "scan.las"}, {"Model.Read.path", "model.obj"}, {"Cloud.Write.path", "written.las"},
-      {"Model.Write.path", "written.obj"}, {"Cloud.WriteDepthMap.path", "depth.png"}, {"Comparer.ReadM3c2File.path", "m3c2.txt"},
+      {"Model.Write.path", "written.obj"}, {"Cloud.WriteDepthMap.path", "depth.png"}, {"Sections.Write.path", "sections.dxf"}, {"Comparer.ReadM3c2File.path", "m3c2.txt"},
       {"Segmentation.WritePrimitives.path", "primitives.txt"}, {"Library.ReportWriteHtml.path", "report.html"},
       {"Library.ReportWriteJson.path", "report.json"}, {"Library.ReportWriteComparison.path", "comparison.html"},
       {"Library.ReportWriteRegistration.path", "registration.html"},

@@ -112,3 +112,38 @@ TEST_CASE("dxf_writer__an_impossible_model_or_a_cancel_leaves_the_file_that_was_
   CHECK(failure.status == Status::kInvalidArgument);
   CHECK(failure.text.find("vertex 5") != std::string::npos);
 }
+
+TEST_CASE("dxf_writer__sections_of_a_cloud_are_polylines_on_layers_of_their_own") {
+  Sections sections;
+  sections.kind = SectionKind::kHeight;
+  for (const double at : {1.5, 3.0}) {
+    Section section;
+    section.plane = {at, {652000, 6861000, at}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    SectionLine line;
+    line.vertices = {{0, 0}, {6, 0}, {6, 3}};
+    line.is_closed = at == 3;
+    section.lines.push_back(line);
+    sections.sections.push_back(section);
+  }
+  for (const DxfVersion version : {DxfVersion::kR12, DxfVersion::kR2000}) {
+    const Folder folder;
+    Task task;
+    WriteSettings settings;
+    settings.dxf_version = version;
+    write_dxf(sections, folder.file("a.dxf"), settings, task);
+    const bool old = version == DxfVersion::kR12;
+    std::string layers;
+    std::vector<std::string> drawn, closed;
+    for (const TagItem& item : tag_items(slurp(folder.file("a.dxf")))) {
+      if (item.kind() == "LAYER") layers += item.text(2) + " ";
+      if (item.kind() != (old ? "POLYLINE" : "LWPOLYLINE")) continue;
+      drawn.push_back(item.text(8));
+      closed.push_back(item.text(70));
+    }
+    CHECK(layers == (old ? "0 Z_1_500 Z_3_000 " : "0 Z_1.500 Z_3.000 "));
+    CHECK(drawn == (old ? std::vector<std::string>{"Z_1_500", "Z_3_000"}
+                        : std::vector<std::string>{"Z_1.500", "Z_3.000"}));
+    CHECK(closed ==
+          (old ? std::vector<std::string>{"8", "9"} : std::vector<std::string>{"0", "1"}));
+  }
+}

@@ -29,13 +29,6 @@ void check_against_brute_force(const std::vector<double>& xyz, uint32_t k, size_
 
 }  // namespace
 
-TEST_CASE("knn_batch__equals_brute_force_for_one_neighbour_and_for_the_most") {
-  for (const uint32_t k : {1u, 5u, 256u}) {
-    CAPTURE(k);
-    check_against_brute_force(street(3000), k, 37);
-  }
-}
-
 TEST_CASE("knn_batch__settles_the_ties_of_a_lattice_by_index") {
   std::vector<double> xyz;
   for (int i = 0; i < 9 * 9 * 9; ++i)

@@ -112,6 +112,11 @@ final class Described {
     });
   }
 
+  static String of(Sections sections) {
+    return line("Sections", sections.isClosed(),
+        () -> "sections: " + rowsOf(sections.summary()) + "; lines: " + rowsOf(sections.lines()));
+  }
+
   static String of(Trajectory trajectory) {
     return line("Trajectory", trajectory.isClosed(), () -> "epochs: " + trajectory.count() + "; axes: " + trajectory.axes());
   }

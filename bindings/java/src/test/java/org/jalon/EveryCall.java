@@ -25,7 +25,7 @@ final class EveryCall {
   static void addTo(Map<String, Behaviours.Body> all) {
     for (Class<?> type : new Class<?>[] {Adjustment.class, Cloud.class, CloudBuilder.class, Comparer.class, Comparison.class, Evaluation.class,
         Fields.class, Gauge.class, Jalon.class, Model.class, ModelEvaluation.class, Modeller.class, Network.class, NoiseLaw.class, Params.class,
-        Registrar.class, Registration.class, Rows.class, Scanner.class, Segmentation.class, Segmenter.class, Targets.class,
+        Registrar.class, Registration.class, Rows.class, Scanner.class, Sections.class, Segmentation.class, Segmenter.class, Targets.class,
         Task.class, Trajectory.class, Array.class}) {
       all.put("every_call__of_" + type.getSimpleName(), () -> calls(type));
     }
@@ -203,7 +203,7 @@ final class EveryCall {
     return type == Task.class ? Task.create() : type == Segmentation.class ? Survey.get().segmentation
         : type == Registration.class ? survey.registration : type == NoiseLaw.class ? survey.law
         : type == Trajectory.class ? Survey.drive() : type == Adjustment.class ? survey.adjustment
-        : type == Network.class ? Survey.network()
+        : type == Network.class ? Survey.network() : type == Sections.class ? survey.scan.sections()
         : type == Gauge.class ? Survey.gauge() : type == Targets.class ? Survey.targets() : type == Array.class ? survey.scan.points()
         : type == Rows.class ? Rows.of(new double[12]) : type == Evaluation.class ? survey.segmentation.evaluate(survey.segmentation)
         : type == ModelEvaluation.class ? survey.model.evaluate(survey.scene) : type == Segmenter.class ? Segmenter.create()

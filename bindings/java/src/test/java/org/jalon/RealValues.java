@@ -21,6 +21,7 @@ final class RealValues {
       Map.entry("xyz", CORNERS), Map.entry("points", CORNERS), Map.entry("x", THREE), Map.entry("y", THREE), Map.entry("z", THREE),
       Map.entry("queries", new double[] {5, 0, 2, 10, 0, 5}), Map.entry("vertices", CORNERS),
       Map.entry("triangles", new double[] {0, 1, 2, 0, 1, 3}), Map.entry("face_ids", new double[] {1, 2}),
+      Map.entry("alignment", new double[] {0, 0, 0, 10, 0, 0}),
       Map.entry("polygon_uv", new double[] {-50, -50, 50, -50, 50, 50, -50, 50}),
       Map.entry("places", Survey.BALL), Map.entry("values", new double[] {0.001, 0.002, 0.003}),
       Map.entry("numbers", THREE),
@@ -40,7 +41,7 @@ final class RealValues {
       Map.entry("position_sigmas_m", Survey.SIGMAS), Map.entry("velocity_sigmas_m_s", Survey.SIGMAS),
       Map.entry("attitude_sigmas_rad", Survey.SIGMAS),
       Map.entry("covariance", new double[] {1e-6, 0, 0, 0, 1e-6, 0, 0, 0, 1e-6}));
-  private static final Map<String, Integer> COLUMNS = Map.ofEntries(Map.entry("poses", 12), Map.entry("polygon_uv", 2),
+  private static final Map<String, Integer> COLUMNS = Map.ofEntries(Map.entry("poses", 12), Map.entry("alignment", 3), Map.entry("polygon_uv", 2),
       Map.entry("automatic_uv", 2), Map.entry("reference_uv", 2), Map.entry("data", 1), Map.entry("probabilities", 1),
       Map.entry("times_s", 1), Map.entry("thetas_rad", 1), Map.entry("phis_rad", 1), Map.entry("positions_m", 3), Map.entry("attitudes_rad", 3), Map.entry("position_sigmas_m", 3),
       Map.entry("velocity_sigmas_m_s", 3), Map.entry("attitude_sigmas_rad", 3));
@@ -55,7 +56,7 @@ final class RealValues {
       Map.entry("boolean.name", "curvature"), Map.entry("String.name", "method"), Map.entry("double[].name", "viewpoint"),
       Map.entry("svg", ".svg"), Map.entry("Cloud.read.path", "scan.las"), Map.entry("Model.read.path", "model.obj"),
       Map.entry("Cloud.write.path", "written.las"), Map.entry("Model.write.path", "written.obj"),
-      Map.entry("Cloud.writeDepthMap.path", "depth.png"), Map.entry("Comparer.readM3c2File.path", "m3c2.txt"),
+      Map.entry("Cloud.writeDepthMap.path", "depth.png"), Map.entry("Sections.write.path", "sections.dxf"), Map.entry("Comparer.readM3c2File.path", "m3c2.txt"),
       Map.entry("Segmentation.writePrimitives.path", "primitives.txt"), Map.entry("Jalon.reportWriteHtml.path", "report.html"),
       Map.entry("Jalon.reportWriteJson.path", "report.json"), Map.entry("Jalon.reportWriteComparison.path", "comparison.html"),
       Map.entry("Jalon.reportWriteRegistration.path", "registration.html"),

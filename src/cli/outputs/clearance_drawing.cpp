@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include "cli/outputs/clearance_drawing.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "cli/inputs/clearance_inputs.h"
 #include "cli/console.h"
 
 namespace jalon::cli {
