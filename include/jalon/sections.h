@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /**
  * @file sections.h
- * Sections of a cloud: the lines in which planes cut what was scanned, as a draughtsman draws them of floors, tunnels and
- * streets.
+ * Sections of a cloud: the lines in which planes cut what was scanned, as a draughtsman draws them of floors, tunnels
+ * and streets.
  *
  * Sections are immutable and may be read by many threads.
  */
@@ -21,16 +21,16 @@ typedef struct jalon_sections jalon_sections;
 
 /**
  * Cuts a cloud by planes and draws the lines that its points show in each. The points within half of "thickness_m" are
- * thinned by cells of "tolerance_m" (larger ones where they are sparse) and chained up to "gap_m"; chains are simplified
- * within "tolerance_m" (Douglas & Peucker 1973), each straight piece is fitted to its points by least squares, and
- * corners are where neighbours meet. What lies in the plane as a face, such as a floor in a level section, has no line.
+ * thinned by cells of "tolerance_m" (larger ones where they are sparse) and chained up to "gap_m"; chains are
+ * simplified within "tolerance_m" (Douglas & Peucker 1973), each straight piece is fitted to its points by least
+ * squares, and corners are where neighbours meet. What lies in the plane as a face, such as a floor in a level section, has no line.
  *
  * - alignment: NULL, or alignment_count points x, y, z (m) of an axis in plan (z has no say): upright planes
  *   perpendicular to it, at its stations; at a bend, to the piece that begins there. They look along it: the offset is
  *   positive to the right. "reach_m" ends them on both sides.
  * - options: operation "sections". Without an alignment the planes lie across "direction": 0, 0, 1, the default, gives
  *   level ones at heights, seen from above; upright ones look along it. "at_m" has the places, "step_m" adds its
- *   multiples as far as cloud or alignment go; without both, each metre. Places are told in the cloud's own coordinates.
+ *   multiples as far as cloud or alignment go; without both, each metre. Places are in the cloud's own coordinates.
  *
  * A point may be of several sections. Where a surface meets a plane at an angle, its points scatter by half the
  * thickness times the cotangent: thin sections are sharp, thick ones have more points. O(n log sections). Same bits
@@ -89,8 +89,10 @@ JALON_API JALON_CHECK jalon_status jalon_sections_lines(const jalon_sections* se
  */
 JALON_API JALON_CHECK jalon_status jalon_sections_vertices(const jalon_sections* sections,
                                                            jalon_fields** out);
-/** The name of a section, "Z 12.500", "D 3.000" or "STATION 25.000": as its layer has it, with _ for the blank. Lives as
- * long as the sections. JALON_ERROR_INVALID_ARGUMENT: no such section. */
+/**
+ * The name of a section, "Z 12.500", "D 3.000" or "STATION 25.000": as its layer has it, with _ for the blank. Lives as
+ * long as the sections. JALON_ERROR_INVALID_ARGUMENT: no such section.
+ */
 JALON_API JALON_CHECK jalon_status jalon_sections_name(const jalon_sections* sections, uint64_t i,
                                                        const char** out);
 /** The parameters they were cut with, as JSON; lives as long as the sections. */

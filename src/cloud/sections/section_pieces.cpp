@@ -12,8 +12,9 @@ namespace {
 constexpr size_t kNodesWithoutEnds =
     5;  // of a piece that leaves its end nodes, which hold the corner, out
 constexpr double kShortCells = 4;  // what the cells of a corner leave of it, and a step of noise
-// Of the tolerance, from round to round: first what is straight becomes one, corner to corner; at once, a line would run
-// past its corner as far as that lets it. Half of it in the end: on a bend lines meet twice as far off as their nodes are.
+// Of the tolerance, from round to round: first what is straight becomes one, corner to corner; at once, a line would
+// run past its corner as far as that lets it. Half of it in the end: on a bend lines meet twice as far off as their
+// nodes are.
 constexpr double kShares[] = {SectionPieces::kFirstShare, 0.5, 0.5};
 constexpr size_t kSmoothed = 2;       // nodes to either side that tell a bend from noise
 constexpr double kCornerCell = 0.75;  // cells: how far the mean of a corner's lies from its lines

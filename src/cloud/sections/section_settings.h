@@ -16,7 +16,7 @@ struct SectionSettings {
   double step_m = 0;  ///< 0: at_m alone, each metre without them
   double thickness_m = 0.05;
   double tolerance_m = 0.02;  ///< of Douglas-Peucker
-  double gap_m = 0.15;         ///< where a line breaks off
+  double gap_m = 0.15;        ///< where a line breaks off
   double reach_m = 0;         ///< to both sides of an alignment; 0: no end
   double min_length_m = 0.2;
 };

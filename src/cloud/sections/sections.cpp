@@ -41,7 +41,8 @@ constexpr auto kSectionRows = setting_rows(
                                         "A line breaks off where there is no point for so long."),
     number_row<&SectionSettings::reach_m>(
         "reach_m", 0, 1e6, "m", "",
-        "Sections of an alignment end so far to the left and right of it; 0 = no end."),
+        "Largest distance from an alignment, to the left and right of it, that its sections show; "
+        "0 = no end."),
     number_row<&SectionSettings::min_length_m>("min_length_m", 0, 1e6, "m", "",
                                                "Shorter lines are left out."));
 
