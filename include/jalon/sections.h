@@ -23,7 +23,8 @@ typedef struct jalon_sections jalon_sections;
  * Cuts a cloud by planes and draws the lines that its points show in each. The points within half of "thickness_m" are
  * thinned by cells of "tolerance_m" (larger ones where they are sparse) and chained up to "gap_m"; chains are
  * simplified within "tolerance_m" (Douglas & Peucker 1973), each straight piece is fitted to its points by least
- * squares, and corners are where neighbours meet. What lies in the plane as a face, such as a floor in a level section, has no line.
+ * squares, and corners are where neighbours meet. What lies in the plane as a face, such as a floor in a level section,
+ * has no line.
  *
  * - alignment: NULL, or alignment_count points x, y, z (m) of an axis in plan (z has no say): upright planes
  *   perpendicular to it, at its stations; at a bend, to the piece that begins there. They look along it: the offset is

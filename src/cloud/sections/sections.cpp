@@ -44,7 +44,7 @@ constexpr auto kSectionRows = setting_rows(
         "Largest distance from an alignment, to the left and right of it, that its sections show; "
         "0 = no end."),
     number_row<&SectionSettings::min_length_m>("min_length_m", 0, 1e6, "m", "",
-                                               "Shorter lines are left out."));
+                                               "Lines of less length are left out."));
 
 SectionKind kind_of(const SectionSettings& settings, bool has_alignment) {
   if (has_alignment) return SectionKind::kAlignment;
