@@ -21,7 +21,7 @@ def tunnel():
 class CloudSections(unittest.TestCase):
     def python__cross_sections_of_a_tunnel_are_its_circle(self):
         axis = [[652000, 6861000, 0], [652000, 6861020, 0]]
-        sections = tunnel().sections(axis, step_m=5)
+        sections = tunnel().sections(axis, step_m=5, thickness_m=0.2, gap_m=0.5)
         self.assertEqual([sections.name(i) for i in range(5)], ["STATION %d.000" % s for s in (0, 5, 10, 15, 20)])
         self.assertTrue((sections.lines["closed"] == 1).all())
         uv = sections.vertices["uv"]
