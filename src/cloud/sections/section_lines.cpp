@@ -11,7 +11,8 @@ namespace jalon {
 
 namespace {
 
-constexpr double kPointsPerCell = 3;   // fewer leave cells empty, where a chain may break
+constexpr double kPointsPerCell =
+    1.5;  // fewer leave most cells empty, and nodes tell little of the noise
 constexpr double kMostCellGaps = 0.5;  // of a gap: larger cells would bridge it
 constexpr uint32_t kSparse = 3;        // times as many points have cells that take a neighbour's
 constexpr double kHopCells = 3;        // a longer step back beside the chain is none of its own

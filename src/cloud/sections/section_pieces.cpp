@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace jalon {
 
@@ -104,9 +105,10 @@ std::vector<uint32_t> SectionPieces::tidied_loop(std::vector<uint32_t>& chain,
   turn_loop(chain, kept, kept[longest] + nodes(longest) / 2);
   kept = tidied(chain, std::move(kept));
   if (kept.size() < 3) return kept;
-  kept.erase(kept.begin());
-  kept.back() = kept.front();  // the last place is the first: gone with it
-  turn_loop(chain, kept, kept.front());
+  turn_loop(chain, kept, kept[1]);
+  // On a bend that place may be an end like the others.
+  if (one_line(chain, kept[kept.size() - 3], kept.back(), std::end(kShares)[-1] * tolerance_m_))
+    kept.erase(kept.end() - 2);
   return kept;
 }
 
@@ -127,7 +129,7 @@ std::vector<uint32_t> SectionPieces::with_longest(const std::vector<uint32_t>& c
 bool SectionPieces::one_line(const std::vector<uint32_t>& chain, size_t from, size_t to,
                              double tolerance_m) const {
   const SectionPiece piece = fit(chain, from, to);
-  const double ends_m = std::max(tolerance_m, kCornerCell * cell_m_);
+  const double ends_m = std::max(tolerance_m, std::min(kCornerCell * cell_m_, tolerance_m_));
   for (size_t i = from; i <= to; ++i) {
     double sum = 0, n = 0;
     for (size_t k = std::max(from + kSmoothed, i) - kSmoothed; k <= std::min(to, i + kSmoothed);

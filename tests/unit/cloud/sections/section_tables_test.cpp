@@ -14,7 +14,7 @@ using namespace test;
 Cloud walls() {
   RandomStream random(8, 1);
   std::vector<Vec3> points;
-  for (int i = 0; i < 60000; ++i) {
+  for (int i = 0; i < 200000; ++i) {
     const double z = 3 * random.uniform(), s = 6 * random.uniform(), t = 4 * random.uniform();
     points.push_back(i % 2 == 0 ? Vec3{s, i % 4 == 0 ? 0.0 : 4.0, z}
                                 : Vec3{i % 4 == 1 ? 0.0 : 6.0, t, z});
