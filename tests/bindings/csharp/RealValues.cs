@@ -41,6 +41,7 @@ static class RealValues {
       {"Segmentation.WritePrimitives.path", "primitives.txt"}, {"Library.ReportWriteHtml.path", "report.html"},
       {"Library.ReportWriteJson.path", "report.json"}, {"Library.ReportWriteComparison.path", "comparison.html"},
       {"Library.ReportWriteRegistration.path", "registration.html"},
+      {"Library.ReportWriteOrthoimage.path", "orthoimage.png"},
       {"Library.ReportWriteAdjustment.path", "adjustment.html"},
       {"Network.Adjust.points", Survey.Nails}, {"Network.Adjust.observations", Survey.Sights},
       {"Trajectory.Read.path", "drive.txt"}, {"Trajectory.Write.path", "driven.txt"},

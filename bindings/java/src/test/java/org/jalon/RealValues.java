@@ -60,6 +60,7 @@ final class RealValues {
       Map.entry("Segmentation.writePrimitives.path", "primitives.txt"), Map.entry("Jalon.reportWriteHtml.path", "report.html"),
       Map.entry("Jalon.reportWriteJson.path", "report.json"), Map.entry("Jalon.reportWriteComparison.path", "comparison.html"),
       Map.entry("Jalon.reportWriteRegistration.path", "registration.html"),
+      Map.entry("Jalon.reportWriteOrthoimage.path", "orthoimage.png"),
       Map.entry("Jalon.reportWriteAdjustment.path", "adjustment.html"),
       Map.entry("Network.adjust.points", Survey.NAILS), Map.entry("Network.adjust.observations", Survey.SIGHTS),
       Map.entry("Trajectory.read.path", "drive.txt"), Map.entry("Trajectory.write.path", "driven.txt"),
