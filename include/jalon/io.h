@@ -119,11 +119,11 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_read(const char* path, const jalo
 /** Writes a cloud in the format of the extension. options: operation "write" or NULL. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path,
                                                      const jalon_params* options, jalon_task* task);
-/** Reads a mesh or model (CityJSON, OBJ, STL, PLY with faces). */
+/** Reads a mesh or model: CityJSON, DXF, OBJ, STL or PLY with faces. */
 JALON_API JALON_CHECK jalon_status jalon_model_read(const char* path, const jalon_params* options,
                                                     jalon_task* task, jalon_model** out);
-/** Writes a model in the format of the extension: DXF, CityJSON, GeoJSON, OBJ, STL or PLY. options: operation "write"
- * (dxf_version, dxf_view, chord_error_m ...) or NULL. */
+/** Writes a model in the format of the extension: one of those above that are written of models. options: operation
+ * "write" (dxf_version, dxf_view, chord_error_m ...) or NULL. */
 JALON_API JALON_CHECK jalon_status jalon_model_write(const jalon_model* model, const char* path,
                                                      const jalon_params* options, jalon_task* task);
 /** Number of formats in the registry. */

@@ -112,8 +112,9 @@ void score_motion(const Diagnosis& found, const Transform& truth, const CloudPtr
 
 void move_box(uint64_t seed, double turn_deg, double along_m, Moved& moved) {
   RandomStream random(seed, 7);
-  const Transform place =
-      placed(random.uniform() - 0.5, random.uniform() - 0.5, 360 * random.uniform());
+  const double turned_deg = 360 * random.uniform(), y = random.uniform() - 0.5,
+               x = random.uniform() - 0.5;
+  const Transform place = placed(x, y, turned_deg);
   const Transform step = placed(along_m, 0, turn_deg);
   Before_After scene;
   for (TriangleScene* s : {&scene.before, &scene.after}) s->ground(4);

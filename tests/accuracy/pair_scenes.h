@@ -137,8 +137,9 @@ inline PairScene furnished(uint64_t seed, uint64_t contents) {
   const int things = 5 + static_cast<int>(random.below(6));
   for (int k = 0; k < things; ++k) {
     const Vec3 thing{between(random, 0.3, 1.6), between(random, 0.3, 1), between(random, 0.3, 2)};
+    const double turn_rad = random.uniform() < 0.5 ? 0 : between(random, -0.4, 0.4);
     s.box({between(random, 0.3, size.x - 1.8), between(random, 0.3, size.y - 1.4), 0}, thing,
-          random.uniform() < 0.5 ? 0 : between(random, -0.4, 0.4));
+          turn_rad);
   }
   s.standpoints = {{size.x * 0.45, size.y * 0.5, 1.9},
                    {size.x * 0.3, size.y * 0.35, 2},
@@ -202,9 +203,11 @@ inline PairScene corridor_with_doors(uint64_t seed, uint64_t contents) {
     s.box({x, 0, 0}, {0.95, 0.05, 2.1});
     s.box({x, width - 0.05, 0}, {0.95, 0.05, 2.1});
   }
-  for (int k = 0; k < 5; ++k)
+  for (int k = 0; k < 5; ++k) {
+    const Vec3 thing{between(random, 0.3, 1), 0.35, between(random, 0.4, 1.2)};
     s.box({between(random, 0.5, length - 1), random.uniform() < 0.5 ? 0.02 : width - 0.4, 0},
-          {between(random, 0.3, 1), 0.35, between(random, 0.4, 1.2)});
+          thing);
+  }
   s.standpoints = {{length * 0.4, width / 2, 1.7},
                    {length * 0.5, width / 2, 1.7},
                    {length * 0.33, width * 0.45, 1.6}};

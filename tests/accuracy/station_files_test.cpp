@@ -26,11 +26,12 @@ TriangleScene yard(uint64_t seed) {
   scene.ground(9);
   scene.quad({-9, 9, 0}, {9, 9, 0}, {9, 9, 4}, {-9, 9, 4}, 2);
   RandomStream random(seed, 31);
-  for (uint32_t k = 0; k < 5; ++k)
-    scene.box(
-        {0.5 + 1.5 * random.uniform(), 0.5 + random.uniform(), 0.4 + random.uniform()},
-        placed(10 * (random.uniform() - 0.5), 10 * (random.uniform() - 0.5), 90 * random.uniform()),
-        3 + k);
+  for (uint32_t k = 0; k < 5; ++k) {
+    const double turned_deg = 90 * random.uniform(), y = 10 * (random.uniform() - 0.5),
+                 x = 10 * (random.uniform() - 0.5);
+    const Vec3 size{0.5 + 1.5 * random.uniform(), 0.5 + random.uniform(), 0.4 + random.uniform()};
+    scene.box(size, placed(x, y, turned_deg), 3 + k);
+  }
   return scene;
 }
 
