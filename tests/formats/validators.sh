@@ -146,6 +146,7 @@ if [ -n "${JALON_FULL:-}" ]; then
       { failed=$((failed + 1)); echo "not ok - no orthoimages"; }
     for name in distances colours; do
       count "GeoTIFF of $name" /usr/bin/python3 "$here/check_tiff.py" "$name" "$work/$name"
+      count "images of $name" "$python" "$here/check_images.py" "$name" "$work/$name"
     done
   else
     miss python3-gdal

@@ -57,7 +57,7 @@ std::array<uint32_t, 2> read_size(const std::string& path) {
 }
 
 std::string folder_of(const std::string& path) {
-  return path.substr(0, path.find_last_of('/') + 1);
+  return path.substr(0, path.find_last_of("/\\") + 1);  // of Windows too
 }
 
 LinkedImage linked(const std::string& path, const std::string& drawing,
