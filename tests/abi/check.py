@@ -24,9 +24,10 @@ OPTIONAL = {"FCL": ["libfcl", "libccd"], "SQLITE": ["libsqlite3"]}  # by the opt
 LINKER_MADE = re.compile(r"^(completed\.\d+|__dso_handle|_DYNAMIC|_GLOBAL_OFFSET_TABLE_|__TMC_END__|__bss_start|_edata|_end|"
                          r"DW\.ref\..*|__gcov.*|__llvm.*)$")
 # Of the optional component of Rust, whose names change with its compiler: what its run time keeps about panics, threads and the
-# processor, the search function that memchr chose, and that panics print nothing. None of it is Jalon's state.
+# processor, the search function that memchr chose, that panics print nothing, and what a call lives on that is refused memory. None
+# of it is Jalon's state.
 OF_RUST = re.compile(r"^<?(std|core|alloc|std_detect|compiler_builtins|memchr)\[[0-9a-f]+\]|^<?(std|core|alloc|memchr|compiler_builtins)::\w.*"
-                     r"(FN|CACHE|FUNC)\b|^jalon_codecs::silence_panics::ONCE\b")
+                     r"(FN|CACHE|FUNC)\b|^jalon_codecs::(silence_panics::ONCE\b|reserve::)")
 
 
 def run(*command):
