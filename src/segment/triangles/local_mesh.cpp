@@ -18,6 +18,7 @@ namespace {
 constexpr double kSearchInSpacings = 3;     // the upper end of "2 to 3 point spacings"
 constexpr double kStarGridShare = 0x1p-22;  // snapping step of a star as a share of its radius
 constexpr size_t kStarPointsPerChunk = 2048;
+constexpr size_t kStarRun = 64;  // points that share an entry of the index of stars
 
 using Corners = std::array<uint32_t, 3>;
 
@@ -40,12 +41,19 @@ struct StarBatch {
 
 // The triangles about each point: left in their batches, since a second copy would be the method's peak of memory.
 struct Stars {
-  std::vector<StarBatch> batches;  ///< in the order of the points
+  std::vector<StarBatch> batches;      ///< in the order of the points
+  std::vector<uint32_t> batch_of_run;  ///< that has the first point of each run of kStarRun
+  void index(size_t points) {
+    uint32_t batch = 0;
+    for (size_t first = 0; first < points; first += kStarRun) {
+      while (batch + 1 < batches.size() && batches[batch + 1].first_point <= first) ++batch;
+      batch_of_run.push_back(batch);
+    }
+  }
   std::span<const Others> of(uint32_t point) const {
-    const auto after =
-        std::upper_bound(batches.begin(), batches.end(), point,
-                         [](uint32_t p, const StarBatch& batch) { return p < batch.first_point; });
-    const StarBatch& batch = *(after - 1);
+    size_t b = batch_of_run[point / kStarRun];
+    while (b + 1 < batches.size() && batches[b + 1].first_point <= point) ++b;
+    const StarBatch& batch = batches[b];
     const size_t own = point - batch.first_point;
     return {batch.triangles.data() + batch.first[own], batch.first[own + 1] - batch.first[own]};
   }
@@ -55,7 +63,8 @@ struct Stars {
     for (const uint32_t corner : triangle)
       if (corner != point) others[count++] = corner;
     const auto own = of(point);
-    return std::find(own.begin(), own.end(), others) != own.end();
+    return std::any_of(own.begin(), own.end(),
+                       [&](const Others& o) { return o[0] == others[0] && o[1] == others[1]; });
   }
 };
 
@@ -141,6 +150,7 @@ Stars make_stars(const Octree& tree, const MeshRule& rule, std::vector<float>& r
   });
   std::sort(stars.batches.begin(), stars.batches.end(),
             [](const StarBatch& a, const StarBatch& b) { return a.first_point < b.first_point; });
+  stars.index(tree.size());
   return stars;
 }
 
