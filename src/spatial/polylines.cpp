@@ -19,9 +19,16 @@ struct NodeCell {
   auto operator<=>(const NodeCell&) const = default;
 };
 
+// Places so far away share a cell: doubles tell no neighbours apart there, and whole numbers have an end.
+constexpr double kFarthestCell = 0x1p60;
+
+int64_t cell_number(double place_m, double cell_m) {
+  return static_cast<int64_t>(
+      std::clamp(std::floor(place_m / cell_m), -kFarthestCell, kFarthestCell));
+}
+
 NodeCell cell_at(const Vec2& p, double cell_m) {
-  return {static_cast<int64_t>(std::floor(p.u / cell_m)),
-          static_cast<int64_t>(std::floor(p.v / cell_m))};
+  return {cell_number(p.u, cell_m), cell_number(p.v, cell_m)};
 }
 
 double squared_between(const Vec2& a, const Vec2& b) {

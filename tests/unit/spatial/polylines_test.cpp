@@ -77,3 +77,13 @@ TEST_CASE("polylines__the_fullest_neighbour_is_of_the_eight_cells_about") {
                                        {{9, 9}, 21, 1}};
   CHECK(fullest_neighbours(nodes, 1) == std::vector<uint32_t>{1, 2, 3, 2, 4});
 }
+
+TEST_CASE("polylines__points_beyond_all_cells_have_nodes_and_neighbours") {
+  const std::vector<Vec2> points{{0, 0}, {0.01, 0}, {1e300, -1e300}, {-1e300, 1e300}};
+  std::vector<uint32_t> order;
+  const auto nodes = thin_points(points, 0.02, order);
+  CHECK(nodes.size() == 3);
+  const auto into = fullest_neighbours(nodes, 0.02);
+  for (uint32_t i = 0; i < nodes.size(); ++i) CHECK(into[i] == i);
+  CHECK(chain_nodes(nodes, 0.02, 0.1).size() == 3);
+}

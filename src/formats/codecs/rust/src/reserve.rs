@@ -82,6 +82,19 @@ unsafe impl GlobalAlloc for WithReserve {
         }
     }
 
+    // The system's pages are zero already.
+    unsafe fn alloc_zeroed(&self, layout: Layout) -> *mut u8 {
+        let block = System.alloc_zeroed(layout);
+        if !block.is_null() {
+            return block;
+        }
+        let block = take(layout);
+        if !block.is_null() {
+            block.write_bytes(0, layout.size());
+        }
+        block
+    }
+
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
         if is_reserved(block) {
             give_back();
