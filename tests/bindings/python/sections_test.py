@@ -24,6 +24,8 @@ class CloudSections(unittest.TestCase):
         sections = tunnel().sections(axis, step_m=5, thickness_m=0.2, gap_m=0.5)
         self.assertEqual([sections.name(i) for i in range(5)], ["STATION %d.000" % s for s in (0, 5, 10, 15, 20)])
         self.assertTrue((sections.lines["closed"] == 1).all())
+        np.testing.assert_allclose(sections.summary["at"], [0, 5, 10, 15, 20])
+        np.testing.assert_allclose(sections.summary["length"], 2 * np.pi * RADIUS, rtol=0.01)
         uv = sections.vertices["uv"]
         off = np.hypot(uv[:, 0], uv[:, 1] - 100) - RADIUS
         self.assertLess(abs(off).max(), 0.02 + 0.003)
