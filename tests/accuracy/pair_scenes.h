@@ -118,12 +118,15 @@ inline PairScene crossing(uint64_t seed) {
       s.box({x - 0.2, y + at, z}, {0.2, between(random, 0.8, 2), 1.6});
     }
   }
-  for (int car = 0; car < 3; ++car)
-    s.box({between(random, -12, 10), between(random, -4, 3), 0}, {4.3, 1.8, 1.5},
-          between(random, 0, 3));
-  for (int post = 0; post < 4; ++post)
-    s.pipe({between(random, -15, 15), between(random, -4, 4), 0},
-           {between(random, -15, 15), between(random, -4, 4), 5}, 0.12);
+  // Of two arguments the last is drawn first here and below: compilers may choose, these scenes may not.
+  for (int car = 0; car < 3; ++car) {
+    const double turn_rad = between(random, 0, 3);
+    s.box({between(random, -12, 10), between(random, -4, 3), 0}, {4.3, 1.8, 1.5}, turn_rad);
+  }
+  for (int post = 0; post < 4; ++post) {
+    const Vec3 top{between(random, -15, 15), between(random, -4, 4), 5};
+    s.pipe({between(random, -15, 15), between(random, -4, 4), 0}, top, 0.12);
+  }
   s.standpoints = {{0, 0, 1.7}, {-3.5, 1, 1.7}, {2, -3, 1.8}};
   return s;
 }
@@ -155,9 +158,10 @@ inline PairScene boulders(uint64_t seed) {
   s.ground(25, 0.5, [&](double x, double y) {
     return 1.2 * std::sin(x / a + c) * std::cos(y / b) + 0.4 * std::sin(x / 2.7 + y / 3.1 + c);
   });
-  for (int k = 0; k < 25; ++k)
-    s.lump({between(random, -20, 20), between(random, -20, 20), 0.3}, between(random, 0.5, 1.6),
-           0.5, random);
+  for (int k = 0; k < 25; ++k) {
+    const double radius_m = between(random, 0.5, 1.6);
+    s.lump({between(random, -20, 20), between(random, -20, 20), 0.3}, radius_m, 0.5, random);
+  }
   s.standpoints = {{0, 0, 4}, {3, 1.5, 4}, {-2, 2, 4.2}};
   return s;
 }
@@ -183,10 +187,12 @@ inline PairScene front(uint64_t seed, uint64_t contents) {
       s.sheet(o + Vec3{left, 0, sill + height}, {width, 0, 0}, {0, 0, storey - sill - height});
       s.box(o + Vec3{left, 0, sill}, {width, 0.22, height});
     }
-  for (int k = 0; k < 4; ++k)
-    s.box({between(random, 0, length), between(random, -6, -1), 0},
-          {between(random, 0.4, 2), between(random, 0.4, 1), between(random, 0.8, 3)});
-  s.box({between(random, 0, length - 3), -1, storey - 0.3}, {between(random, 2, 3), 1, 1.2});
+  for (int k = 0; k < 4; ++k) {
+    const Vec3 size{between(random, 0.4, 2), between(random, 0.4, 1), between(random, 0.8, 3)};
+    s.box({between(random, 0, length), between(random, -6, -1), 0}, size);
+  }
+  const Vec3 balcony{between(random, 2, 3), 1, 1.2};
+  s.box({between(random, 0, length - 3), -1, storey - 0.3}, balcony);
   s.standpoints = {{length * 0.5, -9, 1.7}, {length * 0.4, -8, 1.7}, {length * 0.58, -10, 1.7}};
   return s;
 }
@@ -219,8 +225,8 @@ inline PairScene thing(uint64_t seed) {
   RandomStream random(seed, 14);
   PairScene s;
   s.lump({0, 0, 0}, 1, 0.7, random);
-  s.lump({between(random, -0.4, 0.4), between(random, -0.4, 0.4), 1}, between(random, 0.4, 0.6),
-         0.6, random);
+  const double radius_m = between(random, 0.4, 0.6);
+  s.lump({between(random, -0.4, 0.4), between(random, -0.4, 0.4), 1}, radius_m, 0.6, random);
   s.standpoints = {{6, 0, 1}, {5.4, 2.6, 1.2}, {5.6, -2, 0.6}};
   return s;
 }

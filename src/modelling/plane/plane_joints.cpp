@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <tuple>
 
@@ -125,15 +126,17 @@ class Sharing {
     return out;
   }
 
-  // Two corners of the face became one vertex: its outline meets itself there.
-  bool pinches(const FaceKey& face) const {
+  // Faces of which two corners became one vertex: their outlines would meet themselves there.
+  std::set<FaceKey> pinched() const {
+    std::set<FaceKey> out;
     for (const auto& [root, members] : members_) {
-      const auto of_face = std::count_if(members.begin(), members.end(), [&](const CornerKey& key) {
-        return FaceKey{std::get<0>(key), std::get<1>(key)} == face;
-      });
-      if (of_face > 1) return true;
+      std::set<FaceKey> seen;
+      for (const CornerKey& key : members) {
+        const FaceKey face{std::get<0>(key), std::get<1>(key)};
+        if (!seen.insert(face).second) out.insert(face);
+      }
     }
-    return false;
+    return out;
   }
 
  private:
@@ -231,9 +234,10 @@ std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes,
   }
   std::vector<SharedCorner> shared = sharing.corners();
   // 3. What is sound after all that is taken over; vertices of the rest are no longer shared.
+  const std::set<FaceKey> pinched = sharing.pinched();
   for (auto& [key, face] : joined) {
     VectorPlane& plane = planes[key.first];
-    if (!sharing.pinches(key) && is_sound(face.face, kChordOfSpacing * plane.spacing_m))
+    if (!pinched.contains(key) && is_sound(face.face, kChordOfSpacing * plane.spacing_m))
       plane.faces[key.second] = face.face;
   }
   return shared;
