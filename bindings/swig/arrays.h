@@ -220,7 +220,7 @@ class Array {
   static Array* of(const double* values, std::uint64_t rows, std::uint64_t columns) {
     double* data = nullptr;
     Array* array = made<double>(rows, columns, &data);
-    std::memcpy(data, values, rows * columns * sizeof(double));
+    if (rows * columns > 0) std::memcpy(data, values, rows * columns * sizeof(double));
     return array;
   }
 
