@@ -13,94 +13,106 @@ import sys
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
-PAGE, MEASURED = os.path.join(ROOT, "tests", "RELIABILITY.md"), os.path.join(HERE, "measured.json")
+PAGE, MEASURED, LOGS = os.path.join(ROOT, "tests", "RELIABILITY.md"), os.path.join(HERE, "measured.json"), os.path.join(ROOT, "build", "logs")
 sys.path.insert(0, HERE)
 from figures import FIGURES  # noqa: E402
 
 TEXTS = (".c", ".h", ".cpp", ".py", ".sh", ".java", ".cs", ".md")
-MOST_SHOWN = 110  # letters of a value
+MOST_SHOWN, MOST_VALUES = 110, 3  # letters of a value; values of a figure
+MOST_PLACES = 4  # of a test: what stands in more of them is a word and no name
 
 
 def sources():
+    """The texts of all tests, without the table itself and what is made of it."""
     out = []
-    for folder, _, names in os.walk(os.path.join(ROOT, "tests")):
-        if os.path.samefile(folder, HERE):
-            names = [n for n in names if n not in ("figures.py", "page.py")]
-        for name in names:
-            if name.endswith(TEXTS) and name != "RELIABILITY.md":
-                with open(os.path.join(folder, name), encoding="utf-8", errors="replace") as f:
-                    out.append(f.read())
+    for top in (os.path.join(ROOT, "tests"), os.path.join(ROOT, "bindings", "java", "src", "test")):
+        for folder, _, names in os.walk(top):
+            for name in names:
+                if name.endswith(TEXTS) and name not in ("figures.py", "page.py", os.path.basename(PAGE)):
+                    with open(os.path.join(folder, name), encoding="utf-8", errors="replace") as f:
+                        out.append(f.read())
     return "\n".join(out)
 
 
-def log_of(suite):
-    path = os.path.join(ROOT, "build", "logs", suite + ".log")
-    if not os.path.exists(path):
-        return ""
-    with open(path, encoding="utf-8", errors="replace") as f:
-        return f.read()
-
-
-def measured_in_logs():
-    """Of each figure the line of its suites that gives a value, where the last run left one."""
+def last_run():
+    """What the logs of the last run hold: [passed, failed] of each suite, and the values that belong to figures."""
+    with open(os.path.join(LOGS, "suites.json"), encoding="utf-8") as f:
+        suites = {row["suite"]: [row["passed"], row["failed"]] for row in json.load(f) if "failed" in row}
     values = {}
     for figure in FIGURES:
-        found = []
-        for suite, pattern in figure.shown_by:
-            lines = [re.sub(r"^.*FIGURE ", "", line) for line in log_of(suite).splitlines() if "FIGURE" in line]
-            if "FIGURE" in pattern or suite.split("/")[-1].startswith("reliability_"):
-                found += [line[:MOST_SHOWN] for line in lines if re.search(pattern.replace("FIGURE ", ""), line) or suite.split("/")[-1].startswith("reliability_")]
-        if found:
-            values[figure.name] = list(dict.fromkeys(found))[:3]
-    return values
+        lines = []
+        for suite, test in figure.shown_by:
+            if suite not in suites:
+                continue
+            with open(os.path.join(LOGS, suite + ".log"), encoding="utf-8", errors="replace") as f:
+                told = [line.split("FIGURE ", 1)[1].strip() for line in f if "FIGURE " in line]
+            is_own = suite.split("/")[-1].startswith("reliability_")  # all that it tells is of this figure
+            lines += [line[:MOST_SHOWN] for line in told if is_own or test.startswith("FIGURE ") and line.startswith(test[7:])]
+        if lines:
+            values[figure.name] = list(dict.fromkeys(lines))[:MOST_VALUES]
+    return suites, values
 
 
-def state_of(figure):
-    return "reached" if not figure.missing else "in part" if figure.shown_by else "missing"
+def state_of(figure, suites):
+    if not figure.shown_by:
+        return "missing: " + figure.missing
+    if figure.missing:
+        return "in part: " + figure.missing
+    bad = [suite for suite, _ in figure.shown_by if suites.get(suite, [0, 1])[1] or not suites[suite][0]]
+    return "not shown: %s did not pass, or was not run" % ", ".join(bad) if bad else "reached"
 
 
-def row_of(figure, measured):
+def row_of(figure, kept):
     suites = ", ".join(dict.fromkeys("`%s`" % suite for suite, _ in figure.shown_by)) or "-"
-    run = "long run" if figure.full and figure.shown_by else "each run" if figure.shown_by else "-"
-    return "| %s | %s | %s | %s | %s | %s |" % (figure.name, figure.promise, state_of(figure) + (": " + figure.missing if figure.missing else ""),
-                                              suites, run, "; ".join(measured.get(figure.name, [])) or "-")
+    run = "-" if not figure.shown_by else "long run" if figure.full else "each run"
+    return "| %s | %s | %s | %s | %s | %s |" % (figure.name, figure.promise, state_of(figure, kept["suites"]), suites, run,
+                                              "; ".join(kept["values"].get(figure.name, [])) or "-")
 
 
-def page(measured):
-    states = [state_of(f) for f in FIGURES]
+def page(kept):
+    states = [state_of(f, kept["suites"]).split(":")[0] for f in FIGURES]
+    counted = ", ".join("%d %s" % (states.count(s), s) for s in ("reached", "in part", "not shown", "missing"))
     head = ["# Reliability", "",
-            "%d figures: %d reached, %d in part, %d missing. `tests/reliability/page.py --write` makes this page from `figures.py` and the logs of"
-            % (len(FIGURES), states.count("reached"), states.count("in part"), states.count("missing")),
-            "the last runs; the suite `reliability_page` fails where a test that a row names is gone. A row says \"long run\" where its whole figure",
-            "needs `tests/run.sh --full`; each run makes a part of it. Values are the last ones of any run, - where none was kept.", "",
+            "%d figures: %s. `tests/reliability/page.py --write` makes this page from `figures.py` and" % (len(FIGURES), counted),
+            "from what the last run of each suite said; the suite `reliability_page` fails where a test that a row names is gone. A row says",
+            "\"long run\" where its whole figure needs `tests/run.sh --full`; each run makes a part of it. Values are the last ones of any run,",
+            "- where none was kept.", "",
             "| | figure | state | suites | in | last value |", "| --- | --- | --- | --- | --- | --- |"]
-    return "\n".join(head + [row_of(f, measured) for f in FIGURES]) + "\n"
+    return "\n".join(head + [row_of(f, kept) for f in FIGURES]) + "\n"
 
 
-def kept():
+def read_kept():
     if not os.path.exists(MEASURED):
-        return {}
+        return {"suites": {}, "values": {}}
     with open(MEASURED, encoding="utf-8") as f:
         return json.load(f)
 
 
+def write_page(kept):
+    suites, values = last_run()
+    named = {suite for figure in FIGURES for suite, _ in figure.shown_by}
+    kept["suites"].update({suite: counts for suite, counts in suites.items() if suite in named})
+    kept["values"].update(values)
+    with open(MEASURED, "w", encoding="utf-8") as f:
+        json.dump(kept, f, indent=1, sort_keys=True)
+        f.write("\n")
+    with open(PAGE, "w", encoding="utf-8") as f:
+        f.write(page(kept))
+
+
 def main():
-    measured = kept()
+    kept = read_kept()
     if "--write" in sys.argv:
-        measured.update(measured_in_logs())
-        with open(MEASURED, "w", encoding="utf-8") as f:
-            json.dump(measured, f, indent=1, sort_keys=True)
-            f.write("\n")
-        with open(PAGE, "w", encoding="utf-8") as f:
-            f.write(page(measured))
+        write_page(kept)
     passed = failed = 0
     text = sources()
     for figure in FIGURES:
-        gone = [pattern for _, pattern in figure.shown_by if not re.search(pattern, text)]
-        passed, failed = passed + (not gone), failed + bool(gone)
-        print("%s - reliability %s: its tests are there%s" % ("not ok" if gone else "ok", figure.name, ": no " + ", ".join(gone) if gone else ""))
+        vague = [test for _, test in figure.shown_by if not 0 < len(re.findall(test, text)) <= MOST_PLACES]
+        passed, failed = passed + (not vague), failed + bool(vague)
+        print("%s - reliability %s: its tests are there%s" % ("not ok" if vague else "ok", figure.name,
+                                                             ": none, or too many, are " + ", ".join(vague) if vague else ""))
     with open(PAGE, encoding="utf-8") as f:
-        fits = f.read() == page(measured)
+        fits = f.read() == page(kept)
     print("%s - reliability: the page is that of the table" % ("ok" if fits else "not ok"))
     passed, failed = passed + fits, failed + (not fits)
     print("%d passed, %d failed, 0 skipped" % (passed, failed))
