@@ -5,18 +5,9 @@
 #include "allocation_scenarios.h"
 
 #include "folder_state.h"
-
-enum { kMostGrowthKib = 1024 };
+#include "process_size.h"
 
 static int cycles(void) { return is_full_run() ? 1000 : is_sanitized() ? 3 : 60; }
-
-static long resident_kib(void) {
-  long pages = 0, resident = 0;
-  FILE* const f = fopen("/proc/self/statm", "r");
-  if (f == NULL || fscanf(f, "%ld %ld", &pages, &resident) != 2) fail_msg("no memory figures");
-  fclose(f);
-  return resident * (sysconf(_SC_PAGESIZE) / 1024);
-}
 
 static void run_all(int turn) {
   for (int job = 0; job < kScenarioCount; ++job)

@@ -2,6 +2,7 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /* What fails to open, read or write leaves no descriptor behind, and what is open is not handed to other programs. */
 #include "folder_state.h"
+#include "process_size.h"
 
 #include <errno.h>
 #include <fcntl.h>

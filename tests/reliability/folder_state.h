@@ -1,6 +1,6 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
-/* All files of a flat folder with their bytes, and the open descriptors of the process. */
+/* All files of a flat folder with their bytes. */
 #ifndef JALON_TEST_FOLDER_STATE_H
 #define JALON_TEST_FOLDER_STATE_H
 
@@ -26,7 +26,7 @@ static inline const char* path_in(const char* folder, const char* name) {
   static char path[4][600];
   static int turn;
   turn = (turn + 1) % 4;
-  snprintf(path[turn], sizeof path[turn], "%s/%s", folder, name);
+  snprintf(path[turn], sizeof path[turn], "%.300s/%.256s", folder, name);
   return path[turn];
 }
 
@@ -77,16 +77,6 @@ static inline const file_state* file_of(const folder_state* state, const char* n
 
 static inline int same_file(const file_state* a, const file_state* b) {
   return a->bytes == b->bytes && memcmp(a->data, b->data, a->bytes) == 0;
-}
-
-/* Descriptors of the process that are open now. */
-static inline int open_descriptors(void) {
-  int n = 0;
-  DIR* const all = opendir("/proc/self/fd");
-  if (all == NULL) return 0;
-  while (readdir(all) != NULL) ++n;
-  closedir(all);
-  return n;
 }
 
 #endif

@@ -8,6 +8,7 @@
 
 #include "file_jobs.h"
 #include "io_faults.h"
+#include "process_size.h"
 
 #ifdef __SANITIZE_THREAD__
 #define CANNOT_REPLACE_CALLS 1 /* the sanitizer has its own */

@@ -3,7 +3,6 @@
 /* A host loads and unloads plug-ins: a thousand times, and two copies of the library at once, without a trace in the
  * process: threads, descriptors, signal handlers, floating-point mode, locale, environment. The program is not linked
  * with the library. */
-#include <dirent.h>
 #include <dlfcn.h>
 #include <fenv.h>
 #include <locale.h>
@@ -19,11 +18,13 @@
 
 #include <cmocka.h>
 
+#include "process_size.h"
+
 #ifdef __SSE__
 #include <xmmintrin.h>
 #endif
 
-enum { kPoints = 300, kWarm = 100, kMostGrowthKib = 1024 };
+enum { kPoints = 300, kWarm = 100 };
 
 static int is_sanitized(void) { return getenv("JALON_SANITIZED") != NULL; }
 static int loads(void) { return is_sanitized() ? 20 : 1000; }
@@ -34,14 +35,6 @@ typedef struct process_state {
   uint64_t handlers, environment;
   char locale[256];
 } process_state;
-
-static int entries(const char* folder) {
-  int n = 0;
-  DIR* const all = opendir(folder);
-  while (all != NULL && readdir(all) != NULL) ++n;
-  if (all != NULL) closedir(all);
-  return n;
-}
 
 static uint64_t mixed(uint64_t hash, const void* data, size_t bytes) {
   for (size_t i = 0; i < bytes; ++i)
@@ -54,8 +47,8 @@ extern char** environ;
 static process_state state_now(void) {
   process_state s;
   memset(&s, 0, sizeof s);
-  s.descriptors = entries("/proc/self/fd");
-  s.threads = entries("/proc/self/task");
+  s.descriptors = open_descriptors();
+  s.threads = entries_of("/proc/self/task");
   s.rounding = fegetround();
 #ifdef __SSE__
   s.floating_point = _mm_getcsr() & ~0x3fu; /* without the flags of what happened */
@@ -79,14 +72,6 @@ static void expect_same(const process_state* a, const process_state* b, const ch
         when, a->descriptors, b->descriptors, a->threads, b->threads, a->rounding, b->rounding,
         a->floating_point, b->floating_point,
         a->handlers != b->handlers || a->environment != b->environment, a->locale, b->locale);
-}
-
-static long resident_kib(void) {
-  long pages = 0, resident = 0;
-  FILE* const f = fopen("/proc/self/statm", "r");
-  if (f == NULL || fscanf(f, "%ld %ld", &pages, &resident) != 2) fail_msg("no memory figures");
-  fclose(f);
-  return resident * (sysconf(_SC_PAGESIZE) / 1024);
 }
 
 static void* symbol(void* library, const char* name) {
