@@ -14,6 +14,7 @@ import numpy
 from osgeo import ogr
 
 from model_tables import Model
+from told import tell
 
 ogr.UseExceptions()
 PLACE_M = 1e-6  # of a corner on a national grid
@@ -118,15 +119,7 @@ def main():
         "unrolls the facades": lambda: elevation(package),
         "cuts the plan out of the faces": lambda: plan(model, package),
     }
-    passed = 0
-    for what, check in checks.items():
-        found = list(check())
-        print("%s - GeoPackage of %s %s" % ("not ok" if found else "ok", name, what))
-        for line in found[:5]:
-            print("    " + line)
-        passed += not found
-    print("%d passed, %d failed, 0 skipped" % (passed, len(checks) - passed))
-    return passed != len(checks)
+    return tell("GeoPackage of " + name, checks)
 
 
 if __name__ == "__main__":

@@ -20,6 +20,7 @@ import ifcopenshell.util.shape
 import numpy
 
 from model_tables import CHORD_ERROR_M, OPENINGS, Model
+from told import tell
 
 SHARE = 1e-6        # of an area or a volume: ours against theirs
 PLACE_M = 1e-6      # of a corner on a national grid
@@ -144,15 +145,7 @@ def main():
         "has walls of a thickness that their openings cut": lambda: solid_walls(model, solid),
         "stands where the model does": lambda: places(model, flat),
     }
-    passed = 0
-    for what, check in checks.items():
-        found = list(check())
-        print("%s - IFC of %s %s" % ("not ok" if found else "ok", name, what))
-        for line in found[:5]:
-            print("    " + line)
-        passed += not found
-    print("%d passed, %d failed, 0 skipped" % (passed, len(checks) - passed))
-    return passed != len(checks)
+    return tell("IFC of " + name, checks)
 
 
 if __name__ == "__main__":

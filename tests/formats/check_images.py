@@ -11,6 +11,8 @@ import sys
 
 import ezdxf
 
+from told import tell
+
 PLACE_M = 1e-6
 
 
@@ -61,15 +63,7 @@ def main():
         "links a file beside it": lambda: links(images[0], folder),
         "shows it on its wall": lambda: place(images[0], walls, folder),
     }
-    passed = 0
-    for what, check in checks.items():
-        found = list(check())
-        print("%s - drawing with the orthoimage of %s %s" % ("not ok" if found else "ok", name, what))
-        for line in found[:5]:
-            print("    " + line)
-        passed += not found
-    print("%d passed, %d failed, 0 skipped" % (passed, len(checks) - passed))
-    return passed != len(checks)
+    return tell("drawing with the orthoimage of " + name, checks)
 
 
 if __name__ == "__main__":

@@ -12,6 +12,8 @@ import sys
 import numpy
 from osgeo import gdal, ogr
 
+from told import tell
+
 gdal.UseExceptions()
 ogr.UseExceptions()
 PLACE_M = 1e-6
@@ -69,15 +71,7 @@ def main():
         "has the pixels of the PNG": lambda: pixels(png, tiff),
         "covers its elevation": lambda: elevation(tiff, folder),
     }
-    passed = 0
-    for what, check in checks.items():
-        found = list(check())
-        print("%s - GeoTIFF of %s %s" % ("not ok" if found else "ok", name, what))
-        for line in found[:5]:
-            print("    " + line)
-        passed += not found
-    print("%d passed, %d failed, 0 skipped" % (passed, len(checks) - passed))
-    return passed != len(checks)
+    return tell("GeoTIFF of " + name, checks)
 
 
 if __name__ == "__main__":

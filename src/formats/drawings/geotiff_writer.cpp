@@ -17,13 +17,6 @@ constexpr size_t kStripBytes = size_t{1} << 18;  // before deflation: readers ta
 
 enum Type : uint16_t { kAscii = 2, kShort = 3, kLong = 4, kRational = 5, kDouble = 12 };
 
-template <class T>
-void put(std::string& out, T value) {
-  char bytes[sizeof value];
-  store(bytes, value);
-  out.append(bytes, sizeof value);
-}
-
 /// An entry of the directory (TIFF 6.0, section 2); values of at most four bytes stand in it, others behind it.
 struct Entry {
   uint16_t tag;
@@ -34,19 +27,19 @@ struct Entry {
 
 Entry shorts(uint16_t tag, std::initializer_list<uint16_t> values) {
   Entry entry{tag, kShort, static_cast<uint32_t>(values.size()), {}};
-  for (const uint16_t value : values) put(entry.bytes, value);
+  for (const uint16_t value : values) append_stored(entry.bytes, value);
   return entry;
 }
 
 Entry longs(uint16_t tag, std::span<const uint32_t> values) {
   Entry entry{tag, kLong, static_cast<uint32_t>(values.size()), {}};
-  for (const uint32_t value : values) put(entry.bytes, value);
+  for (const uint32_t value : values) append_stored(entry.bytes, value);
   return entry;
 }
 
 Entry doubles(uint16_t tag, std::initializer_list<double> values) {
   Entry entry{tag, kDouble, static_cast<uint32_t>(values.size()), {}};
-  for (const double value : values) put(entry.bytes, value);
+  for (const double value : values) append_stored(entry.bytes, value);
   return entry;
 }
 
@@ -135,27 +128,27 @@ std::string file_of(std::vector<Entry> entries, const Strips& strips) {
     if (entry.tag != kOffsetsTag) continue;
     entry.bytes.clear();
     for (const uint32_t offset : strips.offsets)
-      put(entry.bytes, static_cast<uint32_t>(offset + behind));
+      append_stored(entry.bytes, static_cast<uint32_t>(offset + behind));
   }
   std::string out = "II";
-  put(out, uint16_t{42});
-  put(out, uint32_t{kHeader});
-  put(out, static_cast<uint16_t>(entries.size()));
+  append_stored(out, uint16_t{42});
+  append_stored(out, uint32_t{kHeader});
+  append_stored(out, static_cast<uint16_t>(entries.size()));
   std::string values;
   for (const Entry& entry : entries) {
-    put(out, entry.tag);
-    put(out, static_cast<uint16_t>(entry.type));
-    put(out, entry.count);
+    append_stored(out, entry.tag);
+    append_stored(out, static_cast<uint16_t>(entry.type));
+    append_stored(out, entry.count);
     std::string inside = entry.bytes;
     if (inside.size() > 4) {
       inside.clear();
-      put(inside, static_cast<uint32_t>(kHeader + directory + values.size()));
+      append_stored(inside, static_cast<uint32_t>(kHeader + directory + values.size()));
       values += entry.bytes;
     }
     inside.resize(4, '\0');
     out += inside;
   }
-  put(out, uint32_t{0});  // no other directory
+  append_stored(out, uint32_t{0});  // no other directory
   return out + values + strips.bytes;
 }
 
@@ -165,10 +158,10 @@ std::string written(uint32_t width, uint32_t height, const Samples& samples, con
   Entry bits{258, kShort, samples.count, {}}, formats{339, kShort, samples.count, {}};
   Entry unit{282, kRational, 1, {}};
   for (uint16_t s = 0; s < samples.count; ++s) {
-    put(bits.bytes, samples.bits);
-    put(formats.bytes, samples.format);
+    append_stored(bits.bytes, samples.bits);
+    append_stored(formats.bytes, samples.format);
   }
-  for (int k = 0; k < 2; ++k) put(unit.bytes, uint32_t{1});
+  for (int k = 0; k < 2; ++k) append_stored(unit.bytes, uint32_t{1});
   Entry unit_y = unit;
   unit_y.tag = 283;
   std::vector<Entry> entries{longs(256, {{width}}),
@@ -216,7 +209,7 @@ std::string geotiff_of(const NumberImage& image, const RasterPlace& place, Task&
       strips_of(image.width, image.height, kNumbers, task, [&](uint32_t y, std::string& out) {
         for (uint32_t x = 0; x < image.width; ++x) {
           const float value = image.pixels[size_t{y} * image.width + x];
-          put(out, std::isnan(value) ? kNoNumber : value);
+          append_stored(out, std::isnan(value) ? kNoNumber : value);
         }
       });
   return written(image.width, image.height, kNumbers, strips, {text(kGdalNoData, "-9999")}, place);

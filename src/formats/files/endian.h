@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <string>
 
 namespace jalon {
 
@@ -28,6 +29,13 @@ template <class T, std::endian Order = std::endian::little>
 void store(void* to, T value) {
   if (Order != std::endian::native) value = byte_swapped(value);
   std::memcpy(to, &value, sizeof value);
+}
+/// Stores the value behind what is there.
+template <std::endian Order = std::endian::little, class T>
+void append_stored(std::string& out, T value) {
+  char bytes[sizeof value];
+  store<T, Order>(bytes, value);
+  out.append(bytes, sizeof bytes);
 }
 
 }  // namespace jalon

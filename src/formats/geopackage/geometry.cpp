@@ -12,28 +12,21 @@ namespace {
 
 enum WkbType : uint32_t { kLineStringZ = 1002, kPolygonZ = 1003, kMultiPolygonZ = 1006 };
 
-template <class T>
-void append(std::string& out, T value) {
-  char bytes[sizeof value];
-  store(bytes, value);
-  out.append(bytes, sizeof value);
-}
-
 void append_point(std::string& out, const Vec3& p) {
-  for (int i = 0; i < 3; ++i) append(out, p[i]);
+  for (int i = 0; i < 3; ++i) append_stored(out, p[i]);
 }
 
 void append_type(std::string& out, WkbType type) {
   constexpr char kLittleEndian = 1;
   out += kLittleEndian;
-  append(out, static_cast<uint32_t>(type));
+  append_stored(out, static_cast<uint32_t>(type));
 }
 
 void append_polygon(std::string& out, const Polygon& polygon) {
   append_type(out, kPolygonZ);
-  append(out, static_cast<uint32_t>(polygon.size()));
+  append_stored(out, static_cast<uint32_t>(polygon.size()));
   for (const Line& ring : polygon) {
-    append(out, static_cast<uint32_t>(ring.size() + 1));
+    append_stored(out, static_cast<uint32_t>(ring.size() + 1));
     for (const Vec3& p : ring) append_point(out, p);
     append_point(out, ring.front());
   }
@@ -43,8 +36,8 @@ std::string header(const Box3& box, int32_t srs_id) {
   constexpr char kVersion1 = 0, kLittleEndian = 1, kBoxOfXY = 1 << 1;
   std::string out = "GP";
   out += {kVersion1, kLittleEndian | kBoxOfXY};
-  append(out, srs_id);
-  for (const double side : {box.min.x, box.max.x, box.min.y, box.max.y}) append(out, side);
+  append_stored(out, srs_id);
+  for (const double side : {box.min.x, box.max.x, box.min.y, box.max.y}) append_stored(out, side);
   return out;
 }
 
@@ -59,7 +52,7 @@ std::string line_bytes(const Line& line, int32_t srs_id) {
   for (const Vec3& p : line) box.add(p);
   std::string out = header(box, srs_id);
   append_type(out, kLineStringZ);
-  append(out, static_cast<uint32_t>(line.size()));
+  append_stored(out, static_cast<uint32_t>(line.size()));
   for (const Vec3& p : line) append_point(out, p);
   return out;
 }
@@ -77,7 +70,7 @@ std::string polygons_bytes(const std::vector<Polygon>& polygons, int32_t srs_id)
   for (const Polygon& polygon : polygons) add_outline(box, polygon);
   std::string out = header(box, srs_id);
   append_type(out, kMultiPolygonZ);
-  append(out, static_cast<uint32_t>(polygons.size()));
+  append_stored(out, static_cast<uint32_t>(polygons.size()));
   for (const Polygon& polygon : polygons) append_polygon(out, polygon);
   return out;
 }

@@ -94,29 +94,22 @@ std::string pcd_header(const Cloud& cloud, bool packed) {
       .append("\nDATA binary\n");
 }
 
-template <class T>
-void append_value(std::string& out, T value) {
-  char bytes[sizeof(T)];
-  store<T>(bytes, value);
-  out.append(bytes, sizeof bytes);
-}
-
 void append_records(const Cloud& cloud, bool packed, size_t begin, size_t end, std::string& out) {
   const uint8_t* colours[3] = {};
   for (size_t k = 0; k < 3 && packed; ++k)
     colours[k] = static_cast<const uint8_t*>(cloud.fields.find(kPcdColours[k])->raw());
   for (size_t i = begin; i < end; ++i) {
-    for (size_t k = 0; k < 3; ++k) append_value(out, cloud.xyz()[3 * i + k]);
+    for (size_t k = 0; k < 3; ++k) append_stored(out, cloud.xyz()[3 * i + k]);
     if (packed)
-      append_value(out, uint32_t{colours[0][i]} << 16 | uint32_t{colours[1][i]} << 8 |
-                            uint32_t{colours[2][i]});
+      append_stored(out, uint32_t{colours[0][i]} << 16 | uint32_t{colours[1][i]} << 8 |
+                             uint32_t{colours[2][i]});
     for (const ColumnPtr& column : cloud.fields) {
       if (packed && is_colour(column->info())) continue;
       const uint32_t components = column->info().components;
       visit(column->info().type, [&](auto zero) {
         using T = decltype(zero);
         const T* from = static_cast<const T*>(column->raw()) + i * components;
-        for (uint32_t c = 0; c < components; ++c) append_value(out, from[c]);
+        for (uint32_t c = 0; c < components; ++c) append_stored(out, from[c]);
       });
     }
   }

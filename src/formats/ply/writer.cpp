@@ -100,25 +100,18 @@ std::string header_text(const Cloud& cloud, PlyForm form) {
   return out + "end_header\n";
 }
 
-template <std::endian Order, class T>
-void append_binary(std::string& out, T value) {
-  char bytes[sizeof(T)];
-  store<T, Order>(bytes, value);
-  out.append(bytes, sizeof bytes);
-}
-
 template <std::endian Order>
 void append_vertices(const Cloud& cloud, size_t begin, size_t end, std::string& out) {
   for (size_t i = begin; i < end; ++i) {
-    for (size_t k = 0; k < 3; ++k) append_binary<Order>(out, cloud.xyz()[3 * i + k]);
+    for (size_t k = 0; k < 3; ++k) append_stored<Order>(out, cloud.xyz()[3 * i + k]);
     for (const ColumnPtr& column : cloud.fields) {
       const uint32_t components = column->info().components;
       visit(column->info().type, [&](auto zero) {
         using T = decltype(zero);
         const T* from = static_cast<const T*>(column->raw()) + i * components;
         for (uint32_t c = 0; c < components; ++c) {
-          if constexpr (sizeof(T) == 8) append_binary<Order>(out, static_cast<double>(from[c]));
-          else append_binary<Order>(out, from[c]);
+          if constexpr (sizeof(T) == 8) append_stored<Order>(out, static_cast<double>(from[c]));
+          else append_stored<Order>(out, from[c]);
         }
       });
     }
@@ -204,8 +197,8 @@ void write_ply_model(const Model& given, const std::string& path, const WriteSet
   AtomicFile file(path);
   file.write(head);
   const auto put = [&](std::string& out, auto value, char after) {
-    if (form == PlyForm::kLittleEndian) return append_binary<std::endian::little>(out, value);
-    if (form == PlyForm::kBigEndian) return append_binary<std::endian::big>(out, value);
+    if (form == PlyForm::kLittleEndian) return append_stored<std::endian::little>(out, value);
+    if (form == PlyForm::kBigEndian) return append_stored<std::endian::big>(out, value);
     append_number(out, value);
     out += after;
   };

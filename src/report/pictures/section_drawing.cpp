@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "formats/files/atomic_file.h"
+#include "report/sheet/sheet.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
 
@@ -102,13 +103,10 @@ double denominator_for(const FlatExtent& extent, double width_mm, double height_
 }
 
 void open_section_sheet(SvgWriter& svg, double height_mm, const char* title, double denominator) {
-  svg.open("svg", {{"xmlns", "http://www.w3.org/2000/svg"},
-                   {"width", svg_number(kSheetWidth_mm) + "mm"},
-                   {"height", svg_number(height_mm) + "mm"},
-                   {"viewBox", "0 0 " + svg_number(kSheetWidth_mm) + " " + svg_number(height_mm)},
-                   {"font-family", "Helvetica, Arial, sans-serif"}});
-  svg.element("title", {}, title);
-  svg.leaf("rect", {{"width", kSheetWidth_mm}, {"height", height_mm}, {"fill", "#ffffff"}});
+  Sheet sheet;
+  sheet.width = kSheetWidth_mm;
+  sheet.height = height_mm;
+  open_figure(svg, sheet, title);
   svg_text(svg, {kMargin_mm, kMargin_mm + 2}, 4, Anchor::kStart, title, true);
   svg_text(svg, {kSheetWidth_mm - kMargin_mm, kMargin_mm + 2}, kTitleText_mm, Anchor::kEnd,
            "scale 1 : " + text_of(denominator));
