@@ -7,7 +7,7 @@
 # Without them the test is skipped (77), visibly; where CI is set that is a failure.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-build=${1:?usage: validators.sh BUILD_FOLDER [SCAN ...]}
+build=$(realpath "${1:?usage: validators.sh BUILD_FOLDER [SCAN ...]}")
 shift
 tools=$build/validators
 log=$build/validators_setup.log
