@@ -26,7 +26,7 @@ check() {
     failed=$((failed + 1)); echo "not ok - ccd: $name"; tail -n 8 "$work/log" | sed 's/^/    /'
   fi
 }
-refused() { ! configured "$@" && tr '\n' ' ' <"$work/log" | tr -s ' ' | grep -q "$pattern"; }
+refused() { ! configured "$@" && grep -q "$pattern" <<<"$(tr -s '\n ' ' ' <"$work/log")"; }
 
 check "the installed libccd is of double precision" configured double
 # The package of a libccd built with ENABLE_DOUBLE_PRECISION=OFF: its headers and nothing more.

@@ -14,9 +14,10 @@ check() { # check NAME COMMAND ...
     failed=$((failed + 1)); echo "not ok - hardening: $name"
   fi
 }
-shows() { readelf "$1" -W "$2" | grep -qE -- "$3"; }
+# What is searched comes by no pipe: grep ends with the first line found, and what still writes would be said to have failed.
+shows() { grep -qE -- "$3" <<<"$(readelf "$1" -W "$2")"; }
 lacks() { ! shows "$@"; }
-calls() { nm -D --undefined-only "$1" | grep -qE -- "$2"; }
+calls() { grep -qE -- "$2" <<<"$(nm -D --undefined-only "$1")"; }
 read_by_32_bits() {
   local header
   for header in "$root"/include/jalon/*.h; do
