@@ -8,6 +8,10 @@
  * scanner), and what workers produce (segmentation, model, comparison, registration, cloud): learn
  * one, know all. Handles are reference counted: jalon_X_create makes one owner, jalon_X_retain adds
  * one, jalon_X_release takes one away, in any order. Outputs are written only on success.
+ *
+ * In the host's process: nothing is printed, no signal handler, locale, environment or working folder is changed. Every
+ * call computes to the nearest, with gradual underflow and without traps, callbacks included, and gives the thread back
+ * the rounding and the mode that it came with: the same input has the same bits in every host.
  */
 #ifndef JALON_JALON_H
 #define JALON_JALON_H

@@ -33,9 +33,9 @@ typedef struct jalon_sections jalon_sections;
  *   level ones at heights, seen from above; upright ones look along it. "at_m" has the places, "step_m" adds its
  *   multiples as far as cloud or alignment go; without both, each metre. Places are in the cloud's own coordinates.
  *
- * A point may be of several sections. Where a surface meets a plane at an angle, its points scatter by half the
- * thickness times the cotangent: thin sections are sharp, thick ones have more points. O(n log sections). Same bits
- * whatever the order of the points and the threads.
+ * A point may be of several sections. Where a surface meets a plane at an angle its points are slid along it onto the
+ * plane; at less than 30 degrees between them lines become broad or double, the more the thicker the section.
+ * O(n log n). Same bits whatever the order of the points and the threads.
  *
  * JALON_ERROR_INSUFFICIENT_DATA: no points. JALON_ERROR_INVALID_ARGUMENT: a station beyond the alignment, an alignment
  * without extent in plan. JALON_ERROR_LIMIT: more than 100 000 sections. A section that

@@ -15,7 +15,10 @@ namespace jalon {
 struct SectionPlane {
   double at_m = 0;  ///< along the direction, or station of the alignment
   Vec3 origin, u, v, normal;
-  Vec2 flat(const Vec3& p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
+  /// u, v, and the distance from the plane.
+  Vec3 near(const Vec3& p) const {
+    return {dot(p - origin, u), dot(p - origin, v), dot(p - origin, normal)};
+  }
   Vec3 place(const Vec2& p) const { return origin + p.u * u + p.v * v; }
 };
 

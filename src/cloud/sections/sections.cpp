@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "base/text_number.h"
+#include "cloud/sections/slid_points.h"
 
 namespace jalon {
 
@@ -76,7 +77,8 @@ std::string Sections::name(size_t section) const {
   return prefix_of(kind) + text(section, decimals);
 }
 
-// 1. planes; 2. the points near each; 3. lines through them, section by section.
+// 1. planes; 2. the points near each; 3. these onto it along their surfaces, and lines through them,
+// section by section.
 Sections cut_sections(const Cloud& cloud, std::span<const Vec3> alignment,
                       const SectionSettings& settings, Task& task) {
   if (cloud.size() == 0) fail(Status::kInsufficientData, "the cloud has no points to cut through");
@@ -99,9 +101,11 @@ Sections cut_sections(const Cloud& cloud, std::span<const Vec3> alignment,
     Section& section = out.sections[k];
     section.plane = planes[k];
     section.points = points[k].size();
-    std::vector<Vec2> flat;
-    flat.reserve(points[k].size());
-    for (const uint32_t i : points[k]) flat.push_back(planes[k].flat(cloud.point(i)));
+    std::vector<Vec3> near;
+    near.reserve(points[k].size());
+    for (const uint32_t i : points[k]) near.push_back(planes[k].near(cloud.point(i)));
+    const std::vector<Vec2> flat =
+        slid_points(std::move(near), settings.thickness_m, settings.tolerance_m);
     section.lines = section_lines(flat, settings, section.cell_m);
   });
   return out;
