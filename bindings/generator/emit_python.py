@@ -219,8 +219,9 @@ def emit_class(noun, wrapped, tables, known):
 def _mixin_extra(name):
     """Arguments that a class takes beside those of C: (code, lines, stub)."""
     if name == "Task":
-        return (["threads=0", "progress=None", "log=None"], ["self._begin(threads, progress, log)"],
-                ["threads: int = ...", "progress: Optional[Progress] = ...", "log: Optional[Callable[[int, str], Any]] = ..."])
+        return (["threads=0", "progress=None", "log=None", "memory_limit=0"], ["self._begin(threads, progress, log, memory_limit)"],
+                ["threads: int = ...", "progress: Optional[Progress] = ...", "log: Optional[Callable[[int, str], Any]] = ...",
+                 "memory_limit: int = ..."])
     return [], [], []
 
 

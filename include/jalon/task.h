@@ -48,6 +48,22 @@ JALON_API JALON_CHECK jalon_status jalon_task_set_progress(jalon_task* task,
 JALON_API JALON_CHECK jalon_status jalon_task_set_log(jalon_task* task, jalon_log_callback callback,
                                                       void* user);
 
+/**
+ * Bytes that a call may have in use at once beyond what was in use before it, its result among them; 0, the default, is
+ * no limit. What would exceed it is not taken: the call ends with JALON_ERROR_OUT_OF_MEMORY and a line that says what
+ * it wanted, its outputs untouched; some calls do with less and take longer. Counted is what Jalon takes by itself, by
+ * the bytes of its allocator's blocks; what FCL and SQLite take beside is not.
+ * JALON_ERROR_UNSUPPORTED: memory is not counted in a static library, outside of Linux, and in a host whose operator
+ * new is not malloc's.
+ */
+JALON_API JALON_CHECK jalon_status jalon_task_set_memory_limit(jalon_task* task, uint64_t bytes);
+/**
+ * The most bytes that the last call of this task had in use at once; 0 where it ran without a limit (with UINT64_MAX
+ * for one, all is counted and nothing refused). With several threads it differs a little from run to run.
+ */
+JALON_API JALON_CHECK jalon_status jalon_task_get_memory_peak(const jalon_task* task,
+                                                              uint64_t* out);
+
 /** Asks the running and all later calls of this task to stop, until reset. Any thread. */
 JALON_API JALON_CHECK jalon_status jalon_task_cancel(jalon_task* task);
 /** Takes a cancel back, so that the task can be used again. */

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/task.h"
 
 namespace jalon {
@@ -26,7 +27,11 @@ void Pool::start(size_t wanted) {
   while (workers_.size() < wanted) {
     try {
       const auto slot = static_cast<unsigned>(workers_.size());
-      workers_.emplace_back([this, slot] { work_loop(slot); });
+      // The pool is one call's, and so is what its threads take.
+      workers_.emplace_back([this, slot, budget = current_budget()] {
+        const BudgetScope scope(budget);
+        work_loop(slot);
+      });
     } catch (const std::system_error&) {
       return;  // the system has no more threads: fewer do the same work
     }

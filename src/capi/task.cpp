@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/task.h"
 
+#include "capi/support/counted_memory.h"
 #include "capi/support/guard.h"
 
 namespace jalon::capi {
@@ -16,12 +17,26 @@ Task::Hooks start(jalon_task* task) {
   return hooks;
 }
 
+uint64_t limit_of(const jalon_task* task) { return task == nullptr ? 0 : task->memory_limit_bytes; }
+
 }  // namespace
 
-TaskUse::TaskUse(jalon_task* task) : handle_(task), task_(start(task)) {}
+TaskUse::TaskUse(jalon_task* task)
+    : handle_(task),
+      budget_(limit_of(task)),
+      scope_(limit_of(task) != 0 ? &budget_ : current_budget()),
+      task_(start(task)) {}
 
 TaskUse::~TaskUse() {
-  if (handle_ != nullptr) handle_->running = false;
+  if (handle_ == nullptr) return;
+  handle_->memory_peak_bytes = budget_.peak_bytes();
+  handle_->running = false;
+}
+
+void TaskUse::blame_memory_limit() {
+  if (!budget_.has_refused()) return;
+  budget_.lift();
+  budget_.fail_refused();
 }
 
 }  // namespace jalon::capi
@@ -73,6 +88,25 @@ jalon_status jalon_task_set_log(jalon_task* task, jalon_log_callback callback, v
     require_idle(task);
     task->hooks.log = callback;
     task->hooks.log_user = user;
+  });
+}
+
+jalon_status jalon_task_set_memory_limit(jalon_task* task, uint64_t bytes) {
+  return guard([&] {
+    require_idle(task);
+    if (bytes != 0 && !is_memory_counted())
+      fail(Status::kUnsupported,
+           "memory is not counted here: a static library, a system other than Linux, or an "
+           "operator new that is the host's own");
+    task->memory_limit_bytes = bytes;
+  });
+}
+
+jalon_status jalon_task_get_memory_peak(const jalon_task* task, uint64_t* out) {
+  return guard([&] {
+    require_idle(task);
+    require(out, "out");
+    *out = task->memory_peak_bytes;
   });
 }
 

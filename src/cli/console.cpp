@@ -30,6 +30,7 @@ extern "C" void on_interrupt(int) {
 Console::Console(const Common& common) : common_(common), terminal_(prepare_terminal()) {
   must(jalon_task_create(Out(task_)));
   must(jalon_task_set_threads(task_.get(), common.threads));
+  must(jalon_task_set_memory_limit(task_.get(), uint64_t{common.memory_limit_mib} << 20));
   must(jalon_task_set_log(task_.get(), on_log, this));
   if (!common.quiet && !common.json && terminal_)
     must(jalon_task_set_progress(task_.get(), on_progress, this));

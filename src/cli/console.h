@@ -17,6 +17,7 @@ struct Common {
   bool quiet = false;
   bool json = false;
   unsigned threads = 0;
+  unsigned memory_limit_mib = 0;
 };
 
 /// What a person sees while a command runs: a progress bar on a terminal, warnings, the result; nothing but errors when

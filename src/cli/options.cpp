@@ -31,6 +31,10 @@ void add_common(Command& command, Common& common) {
       .option("--threads", common.threads,
               "Threads; 0 = all processors. The result does not depend on it")
       .between(0, 256);
+  command
+      .option("--memory-limit", common.memory_limit_mib,
+              "Most memory that a step may take beside its input, in MiB; 0: no limit")
+      .type_name("MIB");
 }
 
 void Settings::add_to(Command& command, const std::string& name_prefix) {

@@ -66,6 +66,8 @@ ends 2 '--voxel: "nan" is no number' clean wall.xyz -o new.las --voxel nan
 ends 2 '--duplicate-tolerance: "-1" is no number above 0' clean wall.xyz -o new.las --duplicate-tolerance -1
 ends 2 '--threshold: "nan" is no number' compare wall.xyz wall.xyz -o new --threshold nan
 ends 2 '--threads: "two" is no whole number' info wall.xyz --threads two
+ends 2 '--memory-limit: "lots" is no whole number' info wall.xyz --memory-limit lots
+ends 7 'its memory limit is 1.0 MiB' segment hall.xyz -o new --memory-limit 1
 ends 2 '--part: "1.5" is no whole number' clearance wall.obj wall.xyz --part 1.5
 ends 2 '--part: "-3" is no number from 0' clearance wall.obj wall.xyz --part -3
 ends 2 'X,Y,Z in metres, not "1,2,nan"' info wall.xyz --station 1,2,nan

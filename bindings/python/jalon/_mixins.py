@@ -242,7 +242,7 @@ class Registration(Handle):
 class Task(Handle):
     """How a call runs."""
 
-    def _begin(self, threads, progress, log):
+    def _begin(self, threads, progress, log, memory_limit):
         for name, value, signature in (("progress", progress, "fraction, stage"), ("log", log, "level, text")):
             if value is not None and not callable(value):
                 raise _arguments.wrong_type(name, "a callable of (%s)" % signature, value)
@@ -250,6 +250,9 @@ class Task(Handle):
         threads = _arguments.integer(threads, "threads", 0, 2 ** 31 - 1)
         if threads:
             self.set_threads(threads)
+        memory_limit = _arguments.integer(memory_limit, "memory_limit", 0, 2 ** 64 - 1)
+        if memory_limit:
+            self.set_memory_limit(memory_limit)
 
     def _parts(self):
         yield "a call" + (" that is cancelled" if self.is_cancelled else "")

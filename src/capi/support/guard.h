@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <memory>
+#include <new>
 #include <string>
 #include <type_traits>
 
@@ -86,13 +87,18 @@ inline jalon_array_view view_of(const Column& column) {
 template <class F>
 auto with_task(jalon_task* task, F&& body) {
   TaskUse use(task);
-  if constexpr (std::is_void_v<decltype(body(use.task()))>) {
-    body(use.task());
-    use.task().finish();
-  } else {
-    auto made = body(use.task());
-    use.task().finish();
-    return made;
+  try {
+    if constexpr (std::is_void_v<decltype(body(use.task()))>) {
+      body(use.task());
+      use.task().finish();
+    } else {
+      auto made = body(use.task());
+      use.task().finish();
+      return made;
+    }
+  } catch (const std::bad_alloc&) {
+    use.blame_memory_limit();
+    throw;
   }
 }
 

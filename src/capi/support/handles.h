@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/field.h"
+#include "base/memory_budget.h"
 #include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
@@ -39,10 +40,14 @@ class TaskUse {
   TaskUse(const TaskUse&) = delete;
   TaskUse& operator=(const TaskUse&) = delete;
   Task& task() { return task_; }
+  /// In a catch block of std::bad_alloc: throws what the memory limit has to say, if it was the limit.
+  void blame_memory_limit();
 
  private:
   jalon_task* handle_;
-  Task task_;
+  MemoryBudget budget_;  ///< asked where there is a limit
+  BudgetScope scope_;
+  Task task_;  ///< its threads end before the scope does
 };
 
 }  // namespace jalon::capi
@@ -50,6 +55,7 @@ class TaskUse {
 struct jalon_task : jalon::capi::Counted {
   std::atomic<bool> cancelled{false}, running{false};
   jalon::Task::Hooks hooks;
+  uint64_t memory_limit_bytes = 0, memory_peak_bytes = 0;
 };
 
 struct jalon_params : jalon::capi::Counted {

@@ -85,6 +85,16 @@ class Calls(unittest.TestCase):
         task.reset()
         box_cloud().compute_normals(k=8, task=task)
 
+    def python__a_memory_limit_ends_a_call_and_tells_what_it_had(self):
+        task = jalon.Task(threads=1, memory_limit=100_000)
+        with self.assertRaisesRegex(jalon.OutOfMemoryError, "memory limit is 0.1 MiB"):
+            box_cloud().compute_normals(k=8, task=task)
+        task.set_memory_limit(2 ** 64 - 1)
+        box_cloud().compute_normals(k=8, task=task)
+        self.assertGreater(task.memory_peak, 100_000)
+        self.assertRaises(ValueError, jalon.Task, memory_limit=-1)
+        self.assertRaises(TypeError, jalon.Task, memory_limit="1 GB")
+
     def python__other_threads_run_during_a_call(self):
         ticks, stop = [0], threading.Event()
 
