@@ -102,7 +102,7 @@ jalon_status jalon_task_set_memory_limit(jalon_task* task, uint64_t bytes) {
   });
 }
 
-jalon_status jalon_task_get_memory_peak(const jalon_task* task, uint64_t* out) {
+jalon_status jalon_task_memory_peak(const jalon_task* task, uint64_t* out) {
   return guard([&] {
     require_idle(task);
     require(out, "out");

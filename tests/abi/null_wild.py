@@ -185,6 +185,8 @@ def scalar(function, p):
         if n in ("part", "other_part"):
             return Case("JALON_WHOLE_MODEL", wild_values(["UINT64_MAX - 1", "(uint64_t)1 << 63"], INVALID)
                         + wild_values(["0", "1"]))
+        if n == "bytes":
+            return Case("UINT64_MAX", wild_values(["0", "1", "(uint64_t)1 << 63"], PASS))
         if n == "code":
             return Case("0", wild_values(["UINT64_MAX", "(uint64_t)1 << 63", "12345678901"]))
         if n == "seed":

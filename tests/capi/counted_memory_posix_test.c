@@ -14,7 +14,7 @@ static jalon_task* counting(uint64_t limit, uint32_t threads) {
 }
 static uint64_t peak_of(const jalon_task* task) {
   uint64_t peak = 0;
-  MUST(jalon_task_get_memory_peak(task, &peak));
+  MUST(jalon_task_memory_peak(task, &peak));
   return peak;
 }
 
@@ -77,7 +77,7 @@ static int32_t use_the_task(double fraction, const char* stage, void* user) {
   uint64_t peak;
   (void)fraction, (void)stage;
   host->limit = jalon_task_set_memory_limit(host->task, 1);
-  host->peak = jalon_task_get_memory_peak(host->task, &peak);
+  host->peak = jalon_task_memory_peak(host->task, &peak);
   return 0;
 }
 
@@ -89,7 +89,7 @@ static void memory__limits_are_set_between_calls(void** state) {
   MUST(jalon_cloud_compute_normals(cloud, NULL, host.task));
   assert_int_equal(host.limit, JALON_ERROR_BUSY);
   assert_int_equal(host.peak, JALON_ERROR_BUSY);
-  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_task_get_memory_peak(host.task, NULL));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_task_memory_peak(host.task, NULL));
   REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_task_set_memory_limit(NULL, 1));
   jalon_task_release(host.task);
   jalon_cloud_release(cloud);

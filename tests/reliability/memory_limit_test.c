@@ -35,7 +35,7 @@ static jalon_status run(int job) {
 static jalon_status run_within(int job, uint64_t limit, uint64_t* peak) {
   MUST(jalon_task_set_memory_limit(task, limit));
   const jalon_status status = run(job);
-  MUST(jalon_task_get_memory_peak(task, peak));
+  MUST(jalon_task_memory_peak(task, peak));
   return status;
 }
 /* A limit that all calls of the job are done within. */

@@ -50,7 +50,7 @@ static class RealValues {
   static readonly Dictionary<string, double> scalars = new Dictionary<string, double> {
       {"k", 4}, {"Knn.level", -1}, {"level", 6}, {"reach", 1}, {"wMin", -100}, {"wMax", 100}, {"radiusM", 0.5}, {"lengthM", 2}, {"spacingS", 4},
       {"toleranceM", 0.01}, {"Split.value", 1}, {"value", 12}, {"a", 1}, {"c", 1}, {"type", 10}, {"components", 1}, {"label", 1}, {"bins", 10},
-      {"primitive", 1}, {"threads", 1}, {"status", -1}, {"part", -1}, {"otherPart", -1}, {"RemoveCopy.i", Survey.Copy}, {"count", 1},
+      {"primitive", 1}, {"threads", 1}, {"bytes", 1e9}, {"status", -1}, {"part", -1}, {"otherPart", -1}, {"RemoveCopy.i", Survey.Copy}, {"count", 1},
       {"ArrayView.get_Item.c", 0}};
 
   static T Of<T>(Dictionary<string, T> table, string where, string name, T otherwise) {

@@ -70,7 +70,7 @@ final class RealValues {
       Map.entry("w_min", -100.0), Map.entry("w_max", 100.0), Map.entry("radius_m", 0.5), Map.entry("radiusM", 0.5),
       Map.entry("lengthM", 2.0), Map.entry("spacing_s", 4.0), Map.entry("spacingS", 4.0), Map.entry("tolerance_m", 0.01), Map.entry("split.value", 1.0), Map.entry("value", 12.0),
       Map.entry("a", 1.0), Map.entry("b", 0.0), Map.entry("c", 1.0), Map.entry("type", 10.0), Map.entry("components", 1.0),
-      Map.entry("label", 1.0), Map.entry("bins", 10.0), Map.entry("primitive", 1.0), Map.entry("threads", 1.0), Map.entry("status", -1.0),
+      Map.entry("label", 1.0), Map.entry("bins", 10.0), Map.entry("primitive", 1.0), Map.entry("threads", 1.0), Map.entry("bytes", 1e9), Map.entry("status", -1.0),
       Map.entry("elements", 3.0), Map.entry("items", 1.0), Map.entry("part", -1.0), Map.entry("other_part", -1.0));
 
   private RealValues() {}
