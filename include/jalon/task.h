@@ -61,8 +61,7 @@ JALON_API JALON_CHECK jalon_status jalon_task_set_memory_limit(jalon_task* task,
  * The most bytes that the last call of this task had in use at once; 0 where it ran without a limit (with UINT64_MAX
  * for one, all is counted and nothing refused). With several threads it differs a little from run to run.
  */
-JALON_API JALON_CHECK jalon_status jalon_task_memory_peak(const jalon_task* task,
-                                                              uint64_t* out);
+JALON_API JALON_CHECK jalon_status jalon_task_memory_peak(const jalon_task* task, uint64_t* out);
 
 /** Asks the running and all later calls of this task to stop, until reset. Any thread. */
 JALON_API JALON_CHECK jalon_status jalon_task_cancel(jalon_task* task);
