@@ -3,11 +3,13 @@
 #include "formats/formats.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "cloud/operations.h"
 #include "formats/files/station_file.h"
 #include "formats/files/utf8.h"
 #include "formats/registry.h"
@@ -40,14 +42,16 @@ std::string extension_of(const std::string& path) {
   return lower(std::string_view(path).substr(dot + 1));
 }
 
-bool has_extension(const Format& format, std::string_view extension) {
+// The number of letters of the longest of the format's extensions that the name has; 0 = none.
+size_t extension_length(const Format& format, const std::string& name) {
+  size_t longest = 0;
   std::string_view rest = format.extensions;
   while (!rest.empty()) {
     const size_t end = std::min(rest.find(' '), rest.size());
-    if (rest.substr(0, end) == extension) return true;
+    if (name.ends_with("." + std::string(rest.substr(0, end)))) longest = std::max(longest, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
-  return false;
+  return longest;
 }
 
 // nullptr for "auto".
@@ -57,13 +61,18 @@ const Format* format_of_option(std::string_view keyword) {
   return nullptr;
 }
 
-// nullptr where no format that holds a cloud or a model has it.
+// nullptr where no format that holds a cloud or a model has it. "a.copc.laz" is COPC, "a.laz" LAZ.
 const Format* format_of_extension(const std::string& path) {
-  const std::string extension = extension_of(path);
-  for (const Format& format : kFormats)
-    if ((format.can_read() || format.can_write()) && has_extension(format, extension))
-      return &format;
-  return format_of_option(extension);
+  const std::string name = lower(path.substr(path.find_last_of("/\\") + 1));
+  const Format* found = nullptr;
+  size_t longest = 0;
+  for (const Format& format : kFormats) {
+    const size_t length = extension_length(format, name);
+    if ((!format.can_read() && !format.can_write()) || length <= longest) continue;
+    found = &format;
+    longest = length;
+  }
+  return found != nullptr ? found : format_of_option(extension_of(path));
 }
 
 const Format* format_recognised(const ByteSource& source, Content content) {
@@ -150,14 +159,45 @@ template <class Function>
        path.c_str(), extension_of(path).c_str(), known.c_str());
 }
 
+// What the reader left of what the options leave out.
+Cloud within_box(Cloud cloud, const ReadSettings& settings, Task& task) {
+  if (settings.box.empty()) return cloud;
+  const std::vector<uint8_t> mask = inside_box(cloud, settings.box_m(), Transform{}, task);
+  return select_mask(cloud, mask, 1, task);
+}
+
 }  // namespace
+
+Box3 ReadSettings::box_m() const {
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  if (box.empty()) return {{-kEndless, -kEndless, -kEndless}, {kEndless, kEndless, kEndless}};
+  if (box.size() != 6)
+    fail(Status::kInvalidArgument,
+         "the option \"box\" has %zu numbers; it needs the least x, y, z and the greatest",
+         box.size());
+  const Box3 out{{box[0], box[1], box[2]}, {box[3], box[4], box[5]}};
+  if (out.empty())
+    fail(Status::kInvalidArgument,
+         "the option \"box\" has a greatest coordinate below the least; it needs the least x, y, "
+         "z, then the greatest");
+  return out;
+}
 
 Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& task) {
   const ByteSource source(path);
   const Format& format = format_to_read(source, settings);
   if (format.read_cloud != nullptr) {
-    Cloud cloud = with_station_file(format.read_cloud(source, settings, task), source.path(), task);
-    return format.knows_units ? cloud : in_metres(std::move(cloud), settings.unit, task);
+    const bool has_levels = is_copc(source);
+    settings.box_m();  // refused before anything is read
+    if (settings.spacing_m > 0 && !has_levels)
+      fail(Status::kUnsupported,
+           "%s: the option \"spacing_m\" is of COPC files, which have their points in levels; read "
+           "this one whole and subsample it",
+           path.c_str());
+    Cloud cloud = with_station_file(format.read_cloud(source, settings, task), source.path(),
+                                    !has_levels || settings.reads_all(), task);
+    if (!format.knows_units) cloud = in_metres(std::move(cloud), settings.unit, task);
+    return within_box(std::move(cloud), settings, task);
   }
   refuse_option(path, settings.format, &Format::read_cloud, "cloud", true);
   const auto models =
@@ -169,6 +209,9 @@ Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& ta
 Model read_model(const std::string& path, const ReadSettings& settings, Task& task) {
   const ByteSource source(path);
   const Format& format = format_to_read(source, settings);
+  if (!settings.reads_all())
+    fail(Status::kUnsupported, "%s: the options \"box\" and \"spacing_m\" are of clouds",
+         path.c_str());
   if (format.read_model != nullptr) return format.read_model(source, settings, task);
   refuse_option(path, settings.format, &Format::read_model, "model", true);
   auto models = names_of([](const Format& f) { return f.read_model != nullptr; });

@@ -94,7 +94,15 @@ constexpr auto kReadRows = setting_rows(
     choice_row<&ReadSettings::unit>(
         "unit", "auto|metre|foot|us_survey_foot|millimetre|centimetre", "las,ply,text,dxf",
         "Length unit of the coordinates of a cloud's file or of a drawing, which become metres; "
-        "auto: that of the CRS of a LAS file, of a drawing's header, else metres"));
+        "auto: that of the CRS of a LAS file, of a drawing's header, else metres"),
+    doubles_row<&ReadSettings::box>(
+        "box", -1e15, 1e15, "m", "",
+        "Read a cloud's points in this closed box alone: least x, y, z, then greatest. Of a COPC "
+        "file only the nodes that it touches are read. Empty: all points"),
+    number_row<&ReadSettings::spacing_m>(
+        "spacing_m", 0, 1e9, "m", "copc",
+        "Read a COPC file's octree down to the level whose points stand no wider apart than this; "
+        "0: all points"));
 
 constexpr auto kWriteRows = setting_rows(
     choice_row<&WriteSettings::format>("format", kWriteChoices.bytes.data(), "",
@@ -103,7 +111,7 @@ constexpr auto kWriteRows = setting_rows(
         "las_version", "auto|1.2|1.4", "las,laz",
         "auto: that of the file it came from, 1.2 where it holds all fields"),
     number_row<&WriteSettings::scale>(
-        "scale", 0, 1000, "m", "las,laz,e57",
+        "scale", 0, 1000, "m", "las,laz,copc,e57",
         "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m; of E57: "
         "whole doubles"),
     choice_row<&WriteSettings::ply_format>("ply_format", "binary|binary_big_endian|ascii", "ply",

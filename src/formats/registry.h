@@ -69,7 +69,7 @@ class Ability {
 struct Format {
   const char* name;
   const char* keyword;  ///< in the options "format", and an extension too; "" = a user cannot ask
-  const char* extensions;  ///< after the dot, separated by blanks; a file's last part counts
+  const char* extensions;  ///< separated by blanks: what may stand behind a dot of a file's name
   Content content = Content::kSilent;
   bool (*recognises)(const ByteSource& source) = nullptr;  ///< not for kSilent
   const char* mark = "";                                   ///< of kCertain, for messages
@@ -89,6 +89,17 @@ struct Format {
 };
 
 inline constexpr Format kFormats[] = {
+    {.name = "COPC",
+     .keyword = "copc",
+     .extensions = "copc.laz",
+     .content = Content::kCertain,
+     .recognises = is_copc,
+     .mark = "LASF",
+     .read_cloud = read_las,
+     .write_cloud = write_copc,
+     .keeps_stations = true,
+     .knows_units = true,
+     .component = kCodecs},
     {.name = "LAZ",
      .keyword = "laz",
      .extensions = "laz",

@@ -4,6 +4,9 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
+
+#include "geometry/vec.h"
 
 namespace jalon {
 
@@ -24,6 +27,12 @@ struct ReadSettings {
   bool drop_invalid = false;
   Polygons polygons = Polygons::kAuto;
   FileUnit unit = FileUnit::kAuto;
+  std::vector<double> box{};  ///< least x, y, z, then greatest; empty = all
+  double spacing_m = 0;       ///< 0 = all points
+
+  bool reads_all() const { return box.empty() && spacing_m == 0; }
+  /// The box, closed, or all space; Error(kInvalidArgument) where it is none.
+  Box3 box_m() const;
 };
 
 /// The options of the operation "write".

@@ -28,7 +28,8 @@ int32_t jc_laz_record(uint8_t, uint16_t, uint32_t, JcBytes*, JcMessage) { return
 int32_t jc_laz_encode(const uint8_t*, uint64_t, const uint8_t*, uint64_t, JcBytes*, JcMessage) {
   return 1;
 }
-int32_t jc_laz_table(const uint8_t*, uint64_t, const uint64_t*, uint64_t, JcBytes*, JcMessage) {
+int32_t jc_laz_table(const uint8_t*, uint64_t, const uint64_t*, const uint64_t*, uint64_t, JcBytes*,
+                     JcMessage) {
   return 1;
 }
 int32_t jc_e57_open(JcSource, JcE57**, uint64_t*, JcMessage) { return 1; }

@@ -53,15 +53,17 @@ struct JcBytes {
   uint64_t count, room;
 };
 void jc_bytes_free(JcBytes bytes);
-/// The data of the record "laszip encoded" of a point format, in chunks of so many points each.
+/// The data of the record "laszip encoded" of a point format, in chunks of so many points each; 0:
+/// each chunk has its own number.
 int32_t jc_laz_record(uint8_t format, uint16_t extra_bytes, uint32_t chunk_points, JcBytes* out,
                       JcMessage message);
 /// One chunk of whole records. Any thread.
 int32_t jc_laz_encode(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* records,
                       uint64_t records_bytes, JcBytes* out, JcMessage message);
-/// The chunk table, version first, of chunks of these sizes.
-int32_t jc_laz_table(const uint8_t* vlr, uint64_t vlr_bytes, const uint64_t* sizes, uint64_t count,
-                     JcBytes* out, JcMessage message);
+/// The chunk table, version first, of chunks of these sizes; counts: of their points where each has
+/// its own number, else nullptr.
+int32_t jc_laz_table(const uint8_t* vlr, uint64_t vlr_bytes, const uint64_t* counts,
+                     const uint64_t* sizes, uint64_t count, JcBytes* out, JcMessage message);
 
 struct JcE57;
 struct JcSource {

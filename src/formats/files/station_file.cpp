@@ -46,7 +46,7 @@ std::string station_file_of(const std::string& path) {
   return (has_extension ? path.substr(0, dot) : path) + ".stations.json";
 }
 
-Cloud with_station_file(Cloud cloud, const std::string& path, Task& task) {
+Cloud with_station_file(Cloud cloud, const std::string& path, bool is_whole, Task& task) {
   const std::string beside = station_file_of(path);
   if (!cloud.stations.empty() || beside == path || !is_there(beside)) return cloud;
   ToldStations told;
@@ -60,6 +60,12 @@ Cloud with_station_file(Cloud cloud, const std::string& path, Task& task) {
     return cloud;
   }
   if (!is_of(told, path)) return cloud;
+  if (!is_whole && told.field.empty()) {
+    task.log(Task::kWarning,
+             "%s: the stations are left out: they are ranges of all points, and not all are read",
+             beside.c_str());
+    return cloud;
+  }
   return with_told_stations(std::move(cloud), told, {1, 1, 1}, beside, task);
 }
 

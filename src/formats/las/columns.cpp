@@ -29,8 +29,8 @@ bool all_items(Task& task, size_t n, F&& fits) {
          }) == 0;
 }
 
-// Every value is a multiple of the place's factor that its integer can hold.
-bool fits(const Column& column, const Place& place, Task& task) {
+// Every value is a multiple of the place's factor that its integer can hold; when it rounds, near one.
+bool fits(const Column& column, const Place& place, bool rounds, Task& task) {
   if (column.info().components != 1) return false;
   const ElementType type = column.info().type;
   if (is_floating(place.type)) {
@@ -55,7 +55,8 @@ bool fits(const Column& column, const Place& place, Task& task) {
             place.factor == 1 || !std::is_same_v<T, float>
                 ? rounded * place.factor == value
                 : static_cast<float>(rounded * place.factor) == static_cast<float>(value);
-        return same && rounded >= low && rounded <= high && !(std::signbit(value) && value == 0);
+        return (same || rounds) && rounded >= low && rounded <= high &&
+               !(std::signbit(value) && value == 0);
       });
     });
   });
@@ -95,7 +96,7 @@ std::string free_name(std::string_view wanted, std::set<std::string>& taken) {
 
 class Layout {
  public:
-  explicit Layout(size_t core) : at_(core) {}
+  explicit Layout(unsigned format) : format_(format), at_(point_format(format)->bytes) {}
 
   void add_known(const ColumnPtr& column, const ExtraDimension& known) {
     ExtraColumn extra = plain(column, 0, column->info().components);
@@ -120,11 +121,11 @@ class Layout {
       push(std::move(extra));
     } else if (field.components <= 3) {
       ExtraColumn extra = plain(column, 0, field.components);
-      extra.descriptor = descriptor_of(field, free_name(field.name, taken_));
+      extra.descriptor = descriptor_of(field, free_name(own_name(field.name), taken_));
       push(std::move(extra));
     } else if (field.type == ElementType::kUint8 && field.components <= kMaxPlainBytes) {
       ExtraColumn extra = plain(column, 0, field.components);
-      extra.descriptor = descriptor_of(one, free_name(field.name, taken_));
+      extra.descriptor = descriptor_of(one, free_name(own_name(field.name), taken_));
       extra.descriptor[2] = std::byte{0};
       extra.descriptor[3] = static_cast<std::byte>(field.components);
       push(std::move(extra));
@@ -139,6 +140,12 @@ class Layout {
 
   void add_undescribed(const ColumnPtr& column) {
     push(plain(column, 0, column->info().components));
+  }
+
+  bool is_standard(const std::string& field) const {
+    for (const Dimension& dimension : dimensions(format_))
+      if (dimension.field.name == field) return true;
+    return false;
   }
 
   std::vector<ExtraColumn> take() { return std::move(columns_); }
@@ -163,6 +170,12 @@ class Layout {
     columns_.push_back(std::move(extra));
   }
 
+  // No name of a standard dimension: other programs take each name once.
+  std::string own_name(const std::string& field) const {
+    return is_standard(field) ? exact_name(field) : field;
+  }
+
+  unsigned format_;
   size_t at_;
   std::vector<ExtraColumn> columns_;
   std::set<std::string> taken_;
@@ -178,23 +191,26 @@ std::vector<StandardColumn> standard_columns(const FieldTable& fields, unsigned 
     const Dimension* found = nullptr;
     for (const Dimension& dimension : all)
       if (dimension.field.name == column->info().name) found = &dimension;
-    if (found != nullptr && fits(*column, found->place, task))
+    const auto is_held = [&](bool rounds) { return fits(*column, found->place, rounds, task); };
+    const bool is_exact = found != nullptr && is_held(false);
+    if (is_exact || (found != nullptr && found->place.factor != 1 && is_held(true)))
       out.push_back({column, found->place});
-    else left.push_back(column);
+    if (!is_exact) left.push_back(column);
   }
   return out;
 }
 
 std::vector<ExtraColumn> extra_columns(const std::vector<ColumnPtr>& fields,
-                                       const std::vector<ExtraDimension>& known, size_t core,
+                                       const std::vector<ExtraDimension>& known, unsigned format,
                                        Task& task) {
-  Layout layout(core);
+  Layout layout(format);
   std::set<const Column*> done;
   for (const ExtraDimension& dimension : known)
     for (const ColumnPtr& column : fields) {
       const FieldInfo& field = column->info();
-      if (dimension.descriptor.empty() || field.name != dimension.field.name ||
-          field.type != dimension.field.type || field.components != dimension.field.components ||
+      if (dimension.descriptor.empty() || layout.is_standard(field.name) ||
+          field.name != dimension.field.name || field.type != dimension.field.type ||
+          field.components != dimension.field.components ||
           (dimension.scaled && !fits_scaled(*column, dimension, task)))
         continue;
       layout.add_known(column, dimension);

@@ -12,6 +12,7 @@ namespace {
 using enum ElementType;
 
 constexpr double kAngleStep = 0.006;  // degrees, of formats 6-10
+constexpr const char* kExactSuffix = "_exact";
 
 Dimension whole(const char* name, ElementType type, int offset, const char* unit,
                 const char* meaning) {
@@ -113,6 +114,14 @@ std::vector<Dimension> dimensions(unsigned format_id) {
     out.push_back(whole("z_t", kFloat32, at + 25, "", "direction of the wave packet"));
   }
   return out;
+}
+
+std::string exact_name(const std::string& field) { return field + kExactSuffix; }
+
+std::string field_of_exact(unsigned format_id, const std::string& name) {
+  for (const Dimension& dimension : dimensions(format_id))
+    if (name == exact_name(dimension.field.name)) return dimension.field.name;
+  return name;
 }
 
 }  // namespace jalon::las

@@ -29,4 +29,10 @@ struct Dimension {
 /// The dimensions of a point format in the order of the record.
 std::vector<Dimension> dimensions(unsigned format_id);
 
+/// What an extra dimension is called that holds the exact values of a field whose standard dimension
+/// cannot: programs refuse two dimensions of one name. Read again it is the field.
+std::string exact_name(const std::string& field);
+/// The field that such a dimension of a file of this format is of, or the name as it is.
+std::string field_of_exact(unsigned format_id, const std::string& name);
+
 }  // namespace jalon::las

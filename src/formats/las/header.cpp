@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "formats/files/endian.h"
 #include "formats/files/utf8.h"
+#include "formats/las/copc.h"
 #include "formats/las/layout.h"
 
 namespace jalon::las {
@@ -54,6 +55,11 @@ void require_points(const ByteSource& source, const Header& header) {
         number(header.count), header.record_bytes, number(room / header.record_bytes));
 }
 
+// The nodes of a COPC file are read where they are wanted, and are of use in no other file.
+bool is_hierarchy(const std::byte* head) {
+  return text_field(head + 2, 16) == kCopcUser && load<uint16_t>(head + 18) == kCopcHierarchyRecord;
+}
+
 std::vector<Record> read_records(const ByteSource& source, uint64_t at, uint64_t end,
                                  uint64_t count, size_t header_bytes, const char* what,
                                  Task& task) {
@@ -73,12 +79,27 @@ std::vector<Record> read_records(const ByteSource& source, uint64_t at, uint64_t
                source.path().c_str(), number(at), what, number(i + 1), number(count));
       break;
     }
+    if (is_hierarchy(head)) {
+      at += header_bytes + size;
+      continue;
+    }
     std::vector<std::byte> bytes(header_bytes + size);
     source.read(at, bytes.data(), bytes.size());
     records.push_back(record_of(bytes, header_bytes));
     at += bytes.size();
   }
   return records;
+}
+
+Record record_of_size(size_t header_bytes, const char* user, uint16_t id, const char* description,
+                      const void* data, size_t bytes) {
+  std::vector<std::byte> all(header_bytes + bytes);
+  std::memcpy(all.data() + 2, user, std::min<size_t>(16, std::strlen(user)));
+  store<uint16_t>(all.data() + 18, id);
+  std::memcpy(all.data() + header_bytes - 32, description,
+              std::min<size_t>(32, std::strlen(description)));
+  if (bytes != 0) std::memcpy(all.data() + header_bytes, data, bytes);
+  return record_of(all, header_bytes);
 }
 
 }  // namespace
@@ -102,17 +123,17 @@ Record record_of(const std::vector<std::byte>& bytes, size_t header_bytes) {
 Record make_record(const char* user, uint16_t id, const char* description, const void* data,
                    size_t bytes) {
   // A VLR counts its bytes in 16 bits, an EVLR in 64.
-  const bool small = bytes <= 0xFFFF;
-  const size_t header_bytes = small ? kVlrHeader : kEvlrHeader;
-  std::vector<std::byte> all(header_bytes + bytes);
-  std::memcpy(all.data() + 2, user, std::min<size_t>(16, std::strlen(user)));
-  store<uint16_t>(all.data() + 18, id);
-  if (small) store<uint16_t>(all.data() + 20, static_cast<uint16_t>(bytes));
-  else store<uint64_t>(all.data() + 20, bytes);
-  std::memcpy(all.data() + header_bytes - 32, description,
-              std::min<size_t>(32, std::strlen(description)));
-  if (bytes != 0) std::memcpy(all.data() + header_bytes, data, bytes);
-  return record_of(all, header_bytes);
+  if (bytes > 0xFFFF) return make_extended_record(user, id, description, data, bytes);
+  Record record = record_of_size(kVlrHeader, user, id, description, data, bytes);
+  store<uint16_t>(record.bytes.data() + 20, static_cast<uint16_t>(bytes));
+  return record;
+}
+
+Record make_extended_record(const char* user, uint16_t id, const char* description,
+                            const void* data, size_t bytes) {
+  Record record = record_of_size(kEvlrHeader, user, id, description, data, bytes);
+  store<uint64_t>(record.bytes.data() + 20, bytes);
+  return record;
 }
 
 Header read_header(const ByteSource& source) {

@@ -14,12 +14,17 @@ namespace jalon {
 bool is_las(const ByteSource& source);
 /// A LAS file whose points are compressed.
 bool is_laz(const ByteSource& source);
-/// Compressed or not.
+/// A LAZ file whose chunks are the nodes of an octree.
+bool is_copc(const ByteSource& source);
+/// Compressed or not; of COPC the part that the options "box" and "spacing_m" ask for, whole nodes.
 Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task);
 void write_las(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task);
 /// The same file with compressed points.
 void write_laz(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task);
+/// Its points as an octree.
+void write_copc(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+                Task& task);
 
 }  // namespace jalon

@@ -63,6 +63,9 @@ struct Record {
 };
 Record make_record(const char* user, uint16_t id, const char* description, const void* data,
                    size_t bytes);
+/// The same as an EVLR, however short.
+Record make_extended_record(const char* user, uint16_t id, const char* description,
+                            const void* data, size_t bytes);
 /// From bytes kept as an attachment; an empty user when they are no record.
 Record record_of(const std::vector<std::byte>& bytes, size_t header_bytes);
 

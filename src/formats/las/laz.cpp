@@ -30,33 +30,49 @@ const uint8_t* bytes_of(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
+bool can_stand_for(uint64_t bytes, uint64_t points) {
+  return points <= kUsualChunk || (points - kUsualChunk) / kPointsPerByte <= bytes;
+}
+
 LazPoints::LazPoints(const ByteSource& source, const Header& header,
                      const std::vector<Record>& vlrs)
     : source_(source), header_(header) {
-  for (const Record& record : vlrs)
-    if (record.is(kLazUser, kLazRecord)) vlr_.assign(record.data(), record.data() + record.size());
-  if (vlr_.empty())
-    source.refuse(104, "the points are compressed, and no record \"%s\" tells how", kLazUser);
-  Line line;
-  JcLazLayout layout{};
-  if (has_failed(jc_laz_layout(bytes_of(vlr_), vlr_.size(), &layout, line.message())))
-    source.refuse(header.size, "the record \"%s\": %s", kLazUser, line.text);
-  if (layout.record_bytes != header.record_bytes)
-    source.refuse(105, "point records have %u bytes, those of the compressor %llu",
-                  header.record_bytes, static_cast<unsigned long long>(layout.record_bytes));
+  const Layout layout = read_layout(vlrs);
   if (header.count == 0) return;
   const uint64_t packed = source.size() - header.point_offset;
-  if (header.count > kUsualChunk && (header.count - kUsualChunk) / kPointsPerByte > packed)
+  if (!can_stand_for(packed, header.count))
     source.refuse(header.point_offset,
                   "the header promises %llu points, more than %llu compressed bytes stand for",
                   static_cast<unsigned long long>(header.count),
                   static_cast<unsigned long long>(packed));
-  if (layout.has_chunks != 0) {
+  if (layout.has_chunks) {
     read_table(layout.chunk_points);
     number_points(layout.chunk_points);
   } else {
     chunks_.push_back({header.point_offset, packed, 0, header.count});
   }
+}
+
+LazPoints::LazPoints(const ByteSource& source, const Header& header,
+                     const std::vector<Record>& vlrs, std::vector<LazChunk> found)
+    : source_(source), header_(header), chunks_(std::move(found)) {
+  read_layout(vlrs);
+  checks_counts_ = point_format(header.format)->extended;  // chunks of the others do not tell
+}
+
+LazPoints::Layout LazPoints::read_layout(const std::vector<Record>& vlrs) {
+  for (const Record& record : vlrs)
+    if (record.is(kLazUser, kLazRecord)) vlr_.assign(record.data(), record.data() + record.size());
+  if (vlr_.empty())
+    source_.refuse(104, "the points are compressed, and no record \"%s\" tells how", kLazUser);
+  Line line;
+  JcLazLayout layout{};
+  if (has_failed(jc_laz_layout(bytes_of(vlr_), vlr_.size(), &layout, line.message())))
+    source_.refuse(header_.size, "the record \"%s\": %s", kLazUser, line.text);
+  if (layout.record_bytes != header_.record_bytes)
+    source_.refuse(105, "point records have %u bytes, those of the compressor %llu",
+                   header_.record_bytes, static_cast<unsigned long long>(layout.record_bytes));
+  return {layout.chunk_points, layout.has_chunks != 0};
 }
 
 uint64_t LazPoints::find_table() const {
@@ -107,7 +123,7 @@ void LazPoints::read_table(uint64_t chunk_points) {
 
 void LazPoints::number_points(uint64_t chunk_points) {
   uint64_t first = 0;
-  for (Chunk& chunk : chunks_) {
+  for (LazChunk& chunk : chunks_) {
     chunk.first = first;
     if (chunk_points != 0) chunk.points = std::min(chunk_points, header_.count - first);
     if (chunk.points > header_.count - first)
@@ -122,9 +138,15 @@ void LazPoints::number_points(uint64_t chunk_points) {
 }
 
 std::unique_ptr<std::byte[]> LazPoints::decode(size_t number) const {
-  const Chunk& chunk = chunks_[number];
+  const LazChunk& chunk = chunks_[number];
   const auto packed = std::make_unique_for_overwrite<std::byte[]>(chunk.bytes);
   source_.read(chunk.offset, packed.get(), chunk.bytes);
+  if (checks_counts_) {  // layered chunks: the first point, then the number of points
+    const size_t count_at = header_.record_bytes;
+    if (chunk.bytes < count_at + 4 || load<uint32_t>(packed.get() + count_at) != chunk.points)
+      source_.refuse(chunk.offset, "the chunk is not one of the %llu points promised",
+                     static_cast<unsigned long long>(chunk.points));
+  }
   const size_t bytes = chunk.points * header_.record_bytes;
   auto records = std::make_unique_for_overwrite<std::byte[]>(bytes);
   Line line;

@@ -11,13 +11,27 @@
 
 namespace jalon::las {
 
+/// Where a chunk lies, and the number of its first point among those that are read.
+struct LazChunk {
+  uint64_t offset = 0, bytes = 0, first = 0, points = 0;
+};
+/// Whether so many compressed bytes may be a chunk, or several, of so many points.
+bool can_stand_for(uint64_t bytes, uint64_t points);
+
 /// The compressed points of a LAZ file: chunks, each decoded by itself.
 class LazPoints {
  public:
   /// Finds the chunks; refuses tables that the file has no room for, and more points than its
   /// compressed bytes can stand for.
   LazPoints(const ByteSource& source, const Header& header, const std::vector<Record>& vlrs);
+  /// Those chunks alone that somebody found already.
+  LazPoints(const ByteSource& source, const Header& header, const std::vector<Record>& vlrs,
+            std::vector<LazChunk> found);
 
+  /// Of the points of all chunks.
+  uint64_t count() const {
+    return chunks_.empty() ? 0 : chunks_.back().first + chunks_.back().points;
+  }
   size_t chunks() const { return chunks_.size(); }
   uint64_t first_point(size_t chunk) const { return chunks_[chunk].first; }
   size_t points(size_t chunk) const { return static_cast<size_t>(chunks_[chunk].points); }
@@ -25,9 +39,12 @@ class LazPoints {
   std::unique_ptr<std::byte[]> decode(size_t chunk) const;
 
  private:
-  struct Chunk {
-    uint64_t offset = 0, bytes = 0, first = 0, points = 0;
+  struct Layout {
+    uint64_t chunk_points = 0;  ///< 0: each chunk has its own number
+    bool has_chunks = false;
   };
+  /// Finds the record of the compressor.
+  Layout read_layout(const std::vector<Record>& vlrs);
   /// The table's place, version first; its end at the latest.
   uint64_t find_table() const;
   void read_table(uint64_t chunk_points);
@@ -35,7 +52,8 @@ class LazPoints {
   const ByteSource& source_;
   const Header& header_;
   std::vector<std::byte> vlr_;
-  std::vector<Chunk> chunks_;
+  bool checks_counts_ = false;  ///< that of a chunk against what it says itself
+  std::vector<LazChunk> chunks_;
 };
 
 }  // namespace jalon::las

@@ -17,7 +17,6 @@ namespace {
 constexpr size_t kUsualChunkPoints = 50000;           // that of LASzip
 constexpr size_t kMostChunkBytes = size_t{16} << 20;  // of records: a long one has fewer points
 constexpr size_t kChunksAtOnce = 16;                  // encoded in parallel, then written in order
-constexpr size_t kPlaceBytes = 8;                     // of the table, before the first chunk
 
 /// What the encoder gave, freed with it.
 class Packed {
@@ -46,8 +45,10 @@ void encode(const std::string& path, F&& call) {
 
 }  // namespace
 
-LazWriter::LazWriter(const Plan& plan, const std::string& path) : plan_(plan), path_(path) {
-  chunk_points_ = std::clamp<size_t>(kMostChunkBytes / plan.record_bytes, 1, kUsualChunkPoints);
+LazWriter::LazWriter(const Plan& plan, const std::string& path, Chunks chunks)
+    : plan_(plan), path_(path) {
+  if (chunks == Chunks::kEqual)
+    chunk_points_ = std::clamp<size_t>(kMostChunkBytes / plan.record_bytes, 1, kUsualChunkPoints);
   const size_t extra = plan.record_bytes - point_format(plan.format)->bytes;
   Packed packed;
   encode(path, [&](JcMessage message) {
@@ -62,14 +63,21 @@ Record LazWriter::record() const {
   return make_record("laszip encoded", 22204, "compressed points", vlr_.data(), vlr_.size());
 }
 
-Tally LazWriter::write(const Cloud& cloud, AtomicFile& file, uint64_t point_offset, uint64_t& bytes,
-                       Task& task) const {
-  const size_t n = cloud.size(), chunks = (n + chunk_points_ - 1) / chunk_points_;
-  std::byte place[kPlaceBytes] = {};
+LazOrder LazWriter::order_of(size_t n) const {
+  LazOrder order;
+  for (size_t start = 0; start < n; start += chunk_points_) order.starts.push_back(start);
+  order.starts.push_back(n);
+  return order;
+}
+
+LazWritten LazWriter::write(const Cloud& cloud, const LazOrder& order, AtomicFile& file,
+                            uint64_t point_offset, Task& task) const {
+  const size_t chunks = order.starts.size() - 1;
+  std::byte place[kLazPlaceBytes] = {};
   file.write(place, sizeof place);
-  bytes = sizeof place;
-  std::vector<uint64_t> sizes(chunks);
-  Tally total;
+  LazWritten written;
+  written.bytes = sizeof place;
+  written.sizes.resize(chunks);
   for (size_t first = 0; first < chunks; first += kChunksAtOnce) {
     const size_t count = std::min(kChunksAtOnce, chunks - first);
     const auto share = [&](size_t c) {
@@ -79,10 +87,12 @@ Tally LazWriter::write(const Cloud& cloud, AtomicFile& file, uint64_t point_offs
     std::vector<Packed> packed(count);
     std::vector<Tally> tallies(count);
     parallel_chunks(task, count, [&](size_t c) {
-      const size_t begin = (first + c) * chunk_points_, points = std::min(chunk_points_, n - begin);
+      const size_t begin = order.starts[first + c], points = order.starts[first + c + 1] - begin;
       const size_t size = points * plan_.record_bytes;
       const auto records = std::make_unique_for_overwrite<std::byte[]>(size);
-      tallies[c] = put_points(plan_, cloud, records.get(), begin, points);
+      tallies[c] = order.points.empty() ? put_points(plan_, cloud, records.get(), begin, points)
+                                        : put_points(plan_, cloud, records.get(),
+                                                     order.points.subspan(begin, points));
       encode(path_, [&](JcMessage message) {
         return jc_laz_encode(as_bytes(vlr_.data()), vlr_.size(), as_bytes(records.get()), size,
                              packed[c].out(), message);
@@ -90,20 +100,24 @@ Tally LazWriter::write(const Cloud& cloud, AtomicFile& file, uint64_t point_offs
     });
     for (size_t c = 0; c < count; ++c) {
       file.write(packed[c].data(), packed[c].size());
-      bytes += sizes[first + c] = packed[c].size();
-      total += tallies[c];
+      written.bytes += written.sizes[first + c] = packed[c].size();
+      written.tally += tallies[c];
     }
   }
-  store<int64_t>(place, static_cast<int64_t>(point_offset + bytes));
+  store<int64_t>(place, static_cast<int64_t>(point_offset + written.bytes));
+  std::vector<uint64_t> counts;
+  if (chunk_points_ == 0)
+    for (size_t c = 0; c < chunks; ++c) counts.push_back(order.starts[c + 1] - order.starts[c]);
   Packed table;
   encode(path_, [&](JcMessage message) {
-    return jc_laz_table(as_bytes(vlr_.data()), vlr_.size(), sizes.data(), chunks, table.out(),
-                        message);
+    return jc_laz_table(as_bytes(vlr_.data()), vlr_.size(),
+                        counts.empty() ? nullptr : counts.data(), written.sizes.data(), chunks,
+                        table.out(), message);
   });
   file.write(table.data(), table.size());
-  bytes += table.size();
+  written.bytes += table.size();
   file.rewrite(point_offset, place, sizeof place);
-  return total;
+  return written;
 }
 
 }  // namespace jalon::las

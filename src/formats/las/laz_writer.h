@@ -15,22 +15,38 @@
 
 namespace jalon::las {
 
-/// The points of a LAZ file: chunks of one number of points, each encoded by itself, then their
-/// table. The same bytes for any number of threads.
+/// In which order and in which chunks points are written.
+struct LazOrder {
+  std::span<const uint32_t> points;  ///< empty: as they lie
+  std::vector<size_t> starts;        ///< of the chunks, and the end of the last
+};
+/// What was written.
+struct LazWritten {
+  Tally tally;
+  uint64_t bytes = 0;           ///< with the place of the table and the table
+  std::vector<uint64_t> sizes;  ///< of the chunks, in bytes
+};
+constexpr uint64_t kLazPlaceBytes = 8;  ///< of the table's place, before the first chunk
+
+/// The points of a LAZ file: chunks, each encoded by itself, then their table. The same bytes for any
+/// number of threads.
 class LazWriter {
  public:
+  enum class Chunks { kEqual, kOwn };  ///< of one number of points, or each of its own
   /// plan lives as long; path for messages.
-  LazWriter(const Plan& plan, const std::string& path);
+  LazWriter(const Plan& plan, const std::string& path, Chunks chunks = Chunks::kEqual);
   /// The record that tells readers how the points are packed.
   Record record() const;
-  /// Writes the points, which begin at point_offset, and says how many bytes they took.
-  Tally write(const Cloud& cloud, AtomicFile& file, uint64_t point_offset, uint64_t& bytes,
-              Task& task) const;
+  /// n points as they lie.
+  LazOrder order_of(size_t n) const;
+  /// Writes the points, which begin at point_offset.
+  LazWritten write(const Cloud& cloud, const LazOrder& order, AtomicFile& file,
+                   uint64_t point_offset, Task& task) const;
 
  private:
   const Plan& plan_;
   const std::string& path_;
-  size_t chunk_points_ = 0;
+  size_t chunk_points_ = 0;  ///< 0: each chunk has its own number
   std::vector<std::byte> vlr_;
 };
 

@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "base/text_number.h"
 #include "formats/files/endian.h"
+#include "formats/las/copc.h"
 #include "formats/las/stations.h"
 
 namespace jalon::las {
@@ -86,8 +87,9 @@ void choose_version(Plan& plan, const Cloud& cloud, const Origin& origin, LasVer
 void choose_records(Plan& plan, const Cloud& cloud, const Origin& origin, Task& task) {
   const bool same_crs = says_crs_of(origin, cloud);
   const auto keep = [&](const Record& record) {
-    return record.user != "laszip encoded" && !record.is(kSpecUser, kExtraBytes) &&
-           !is_station_record(record) && (same_crs || !is_crs_record(record));
+    return record.user != "laszip encoded" && !is_copc_record(record) &&
+           !record.is(kSpecUser, kExtraBytes) && !is_station_record(record) &&
+           (same_crs || !is_crs_record(record));
   };
   for (const Record& record : origin.vlrs)
     if (keep(record)) plan.vlrs.push_back(record);
@@ -205,7 +207,7 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings&
   const size_t core = point_format(plan.format)->bytes;
   const auto known =
       extra_dimensions(origin.vlrs, origin.evlrs, std::numeric_limits<uint16_t>::max(), task);
-  plan.extra = extra_columns(left, known, core, task);
+  plan.extra = extra_columns(left, known, plan.format, task);
   plan.record_bytes = core;
   for (const ExtraColumn& column : plan.extra)
     plan.record_bytes += size_of(column.raw_type) * column.components;

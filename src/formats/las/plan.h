@@ -49,13 +49,14 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings&
                Task& task);
 
 // The parts of it.
-/// Fields that the format's dimensions can hold exactly, angles to a float32; the others stand in `left`.
+/// Fields that the format's dimensions can hold exactly, angles to a float32; the others stand in
+/// `left`. Angles between the steps of a dimension are rounded there and stand in both.
 std::vector<StandardColumn> standard_columns(const FieldTable& fields, unsigned format,
                                              std::vector<ColumnPtr>& left, Task& task);
-/// Lays the other fields out behind the core of the record, with the descriptors that their file
-/// had where they still fit.
+/// Lays the other fields out behind the core of the format's record, with the descriptors that their
+/// file had where they still fit.
 std::vector<ExtraColumn> extra_columns(const std::vector<ColumnPtr>& fields,
-                                       const std::vector<ExtraDimension>& known, size_t core,
+                                       const std::vector<ExtraDimension>& known, unsigned format,
                                        Task& task);
 
 }  // namespace jalon::las

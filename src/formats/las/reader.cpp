@@ -9,6 +9,7 @@
 #include "formats/codecs/codecs.h"
 #include "formats/files/endian.h"
 #include "formats/files/finish_cloud.h"
+#include "formats/las/copc.h"
 #include "formats/las/fields.h"
 #include "formats/las/las.h"
 #include "formats/las/laz.h"
@@ -173,9 +174,32 @@ std::shared_ptr<const std::vector<Attachment>> attachments_of(const Header& head
                                                               std::vector<Record> evlrs) {
   auto out = std::make_shared<std::vector<Attachment>>();
   out->push_back({"las:header", header.raw});
-  for (Record& record : vlrs) out->push_back({"las:vlr", std::move(record.bytes)});
+  for (Record& record : vlrs)
+    if (!is_copc_record(record)) out->push_back({"las:vlr", std::move(record.bytes)});
   for (Record& record : evlrs) out->push_back({"las:evlr", std::move(record.bytes)});
   return out;
+}
+
+// The octree's cells are in the file's unit, the options in metres.
+CopcPart part_of(const CopcInfo& info, const Vec3& unit, const ReadSettings& settings) {
+  CopcPart part;
+  const Box3 box = settings.box_m();
+  for (int k = 0; k < 3; ++k) {
+    part.box.min[k] = box.min[k] / unit[k];
+    part.box.max[k] = box.max[k] / unit[k];
+  }
+  if (settings.spacing_m > 0) part.most_level = level_of(info, settings.spacing_m / unit.x);
+  return part;
+}
+
+LazPoints packed_points(const ByteSource& source, const Header& header,
+                        const std::vector<Record>& vlrs, const Vec3& unit,
+                        const ReadSettings& settings, Task& task) {
+  require_codecs(source.path(), "LAZ");
+  const std::optional<CopcInfo> info = copc_info(source, vlrs);
+  if (!info || settings.reads_all()) return {source, header, vlrs};
+  return {source, header, vlrs,
+          copc_chunks(source, header, *info, part_of(*info, unit, settings), task)};
 }
 
 }  // namespace
@@ -192,6 +216,13 @@ bool is_laz(const ByteSource& source) {
          (format & std::byte{0xC0}) != std::byte{0};
 }
 
+bool is_copc(const ByteSource& source) {
+  std::byte record[kVlrHeader];
+  constexpr uint64_t kFirstRecord = 375;  // behind the header of LAS 1.4
+  return is_laz(source) && source.read_some(kFirstRecord, record, sizeof record) == sizeof record &&
+         record_of({record, record + sizeof record}, kVlrHeader).is(kCopcUser, kCopcInfoRecord);
+}
+
 Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task) {
   const Header header = read_header(source);
   std::vector<Record> vlrs = read_vlrs(source, header, task);
@@ -199,15 +230,14 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
   const LengthUnits units = units_to_use(vlrs, evlrs, source, settings.unit, task);
   const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
   std::optional<LazPoints> laz;
-  if (header.compressed) {
-    require_codecs(source.path(), "LAZ");
-    laz.emplace(source, header, vlrs);
-  }
+  if (header.compressed) laz.emplace(packed_points(source, header, vlrs, unit, settings, task));
 
-  const size_t count = header.count;
+  const size_t count = laz ? laz->count() : header.count;
   const size_t core = point_format(header.format)->bytes;
-  const std::vector<ExtraDimension> extra =
+  std::vector<ExtraDimension> extra =
       extra_dimensions(vlrs, evlrs, header.record_bytes - core, task);
+  for (ExtraDimension& dimension : extra)
+    dimension.field.name = field_of_exact(header.format, dimension.field.name);
   std::vector<Extraction> extractions;
   for (const Dimension& dimension : dimensions(header.format))
     extractions.push_back(extraction_of(dimension, count));

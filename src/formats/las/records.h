@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 #include "formats/las/plan.h"
 
@@ -33,7 +35,17 @@ struct Tally {
   }
 };
 
+/// A coordinate of the cloud as the file's integer; the plan made sure that it fits.
+inline int32_t steps_of(const Plan& plan, double metres, int axis) {
+  const double unit = axis == 2 ? plan.units.vertical : plan.units.horizontal;
+  return static_cast<int32_t>(
+      std::nearbyint((metres / unit - plan.offset[axis]) / plan.scale[axis]));
+}
+
 /// Points [first, first + n) as records, one behind the other.
 Tally put_points(const Plan& plan, const Cloud& cloud, std::byte* records, size_t first, size_t n);
+/// These points.
+Tally put_points(const Plan& plan, const Cloud& cloud, std::byte* records,
+                 std::span<const uint32_t> points);
 
 }  // namespace jalon::las

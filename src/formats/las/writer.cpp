@@ -9,6 +9,7 @@
 #include "formats/codecs/codecs.h"
 #include "formats/files/atomic_file.h"
 #include "formats/files/endian.h"
+#include "formats/las/copc_writer.h"
 #include "formats/las/las.h"
 #include "formats/las/laz_writer.h"
 #include "formats/las/plan.h"
@@ -127,26 +128,62 @@ Written write_points(const Plan& plan, const Cloud& cloud, AtomicFile& file, Tas
   return {total, uint64_t{n} * plan.record_bytes};
 }
 
+enum class Packing { kNone, kChunks, kOctree };
+
+Plan plan_of(const Cloud& cloud, const std::string& path, WriteSettings settings, Packing packing,
+             Task& task) {
+  if (packing == Packing::kOctree) {
+    if (settings.las_version == LasVersion::k12)
+      fail(Status::kInvalidArgument, "%s: COPC files are of LAS 1.4", path.c_str());
+    settings.las_version = LasVersion::k14;
+  }
+  return make_plan(cloud, path, settings, task);
+}
+
+Written write_packed(Plan& plan, const LazWriter& laz, const CopcWriter* copc, const Cloud& cloud,
+                     AtomicFile& file, Task& task) {
+  const uint64_t point_offset = point_offset_of(plan);
+  const LazWritten written =
+      laz.write(cloud, copc != nullptr ? copc->order() : laz.order_of(cloud.size()), file,
+                point_offset, task);
+  if (copc != nullptr)
+    plan.evlrs.push_back(copc->hierarchy_record(point_offset + kLazPlaceBytes, written.sizes));
+  return {written.tally, written.bytes};
+}
+
 void write_file(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
-                bool compressed, Task& task) {
+                Packing packing, Task& task) {
   Plan plan;
   std::optional<LazWriter> laz;
+  std::optional<CopcWriter> copc;
   {
     ProgressSpan span(task, 0, 0.3, "writing LAS");
-    plan = make_plan(cloud, path, settings, task);
-    if (compressed) {
-      laz.emplace(plan, path);
+    plan = plan_of(cloud, path, settings, packing, task);
+    if (packing == Packing::kOctree) {
+      copc.emplace(plan, cloud, task);
+      plan.vlrs.insert(plan.vlrs.begin(), copc->info_record());
+    }
+    if (packing != Packing::kNone) {
+      laz.emplace(plan, path, copc ? LazWriter::Chunks::kOwn : LazWriter::Chunks::kEqual);
       plan.vlrs.push_back(laz->record());
     }
   }
   ProgressSpan span(task, 0.3, 0.99, "writing LAS");
   AtomicFile file(path);
+  const bool compressed = packing != Packing::kNone;
   file.write(header_bytes(plan, {}, cloud.size(), compressed).data(), header_size(plan));
   for (const Record& record : plan.vlrs) file.write(record.bytes.data(), record.bytes.size());
-  Written written;
-  if (laz) written.tally = laz->write(cloud, file, point_offset_of(plan), written.bytes, task);
-  else written = write_points(plan, cloud, file, task);
-  for (const Record& record : plan.evlrs) file.write(record.bytes.data(), record.bytes.size());
+  const Written written = laz ? write_packed(plan, *laz, copc ? &*copc : nullptr, cloud, file, task)
+                              : write_points(plan, cloud, file, task);
+  uint64_t end = point_offset_of(plan) + written.bytes;
+  for (const Record& record : plan.evlrs) {
+    file.write(record.bytes.data(), record.bytes.size());
+    end += record.bytes.size();
+  }
+  if (copc) {  // whose hierarchy is the last record, in one page
+    const Record info = copc->info_record(end - plan.evlrs.back().size());
+    file.rewrite(header_size(plan), info.bytes.data(), info.bytes.size());
+  }
   const std::vector<std::byte> header = header_bytes(plan, written, cloud.size(), compressed);
   file.rewrite(0, header.data(), header.size());
   task.checkpoint(1);  // the last chance to cancel before the old file goes
@@ -157,13 +194,19 @@ void write_file(const Cloud& cloud, const std::string& path, const WriteSettings
 
 void write_las(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task) {
-  write_file(cloud, path, settings, false, task);
+  write_file(cloud, path, settings, Packing::kNone, task);
 }
 
 void write_laz(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task) {
   require_codecs(path, "LAZ");
-  write_file(cloud, path, settings, true, task);
+  write_file(cloud, path, settings, Packing::kChunks, task);
+}
+
+void write_copc(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
+                Task& task) {
+  require_codecs(path, "COPC");
+  write_file(cloud, path, settings, Packing::kOctree, task);
 }
 
 }  // namespace jalon

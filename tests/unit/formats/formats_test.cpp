@@ -3,6 +3,7 @@
 // Which format a file is read and written in: the option before the content before the name.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
 
 #include "formats/codecs/codecs.h"
@@ -131,7 +132,7 @@ TEST_CASE("formats__where_the_option_names_a_format_that_cannot_do_it_the_option
   to.format = "obj";
   says(failure_of([&] { write(random_points(3, 1), folder.file("a.las"), to); }),
        "no cloud can be written in format \"obj\", which the option \"format\" names; there are: "
-       "laz, e57, las, ply, pcd, pts, text, csv");
+       "copc, laz, e57, las, ply, pcd, pts, text, csv");
   to.format = "csv";
   says(failure_of([&] { write_model(one_triangle(), folder.file("a.las"), to, task); }),
        "no model can be written in format \"csv\", which the option \"format\" names; there are: "
@@ -142,9 +143,44 @@ TEST_CASE("formats__where_the_option_names_a_format_that_cannot_do_it_the_option
   from.format = "obj";
   says(failure_of([&] { read(folder.file("a.las"), from); }),
        "no cloud can be read in format \"obj\", which the option \"format\" names; there are: "
-       "laz, e57, las, ply, pcd, ptx, pts, text");
+       "copc, laz, e57, las, ply, pcd, ptx, pts, text");
   from.format = "las";
   says(failure_of([&] { read_model(folder.file("a.las"), from, task); }),
        "no model can be read in format \"las\", which the option \"format\" names; there are: "
        "ply, obj, stl, cityjson");
+}
+
+TEST_CASE("formats__a_box_leaves_the_points_inside_of_any_cloud") {
+  const Folder folder;
+  spill(folder.file("a.xyz"), "1 1 1\n2 2 2\n3 3 3\n");
+  ReadSettings settings;
+  settings.box = {1.5, 0, 0, 3, 3, 3};
+  const Cloud cloud = read(folder.file("a.xyz"), settings);
+  REQUIRE(cloud.size() == 2);
+  CHECK(cloud.point(1).x == 3);
+  settings.unit = FileUnit::kMillimetres;  // the box is in metres
+  settings.box = {0.0015, 0, 0, 0.0025, 1, 1};
+  CHECK(read(folder.file("a.xyz"), settings).size() == 1);
+  for (const std::vector<double>& bad : std::vector<std::vector<double>>{
+           {1, 2, 3}, {1, 0, 0, 0, 1, 1}, {0, 0, 0, 1, 1, std::nan("")}}) {
+    settings.box = bad;
+    const Failure failure = failure_of([&] { read(folder.file("a.xyz"), settings); });
+    CHECK(failure.status == Status::kInvalidArgument);
+    CHECK(has_text(failure.text, "\"box\""));
+  }
+}
+
+TEST_CASE("formats__what_has_no_levels_and_what_is_no_cloud_refuses_the_options_of_a_part") {
+  const Folder folder;
+  spill(folder.file("a.xyz"), "1 1 1\n");
+  spill(folder.file("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  ReadSettings settings;
+  settings.spacing_m = 0.1;
+  Failure failure = failure_of([&] { read(folder.file("a.xyz"), settings); });
+  CHECK(failure.status == Status::kUnsupported);
+  CHECK(has_text(failure.text, "COPC"));
+  Task task;
+  failure = failure_of([&] { read_model(folder.file("a.obj"), settings, task); });
+  CHECK(failure.status == Status::kUnsupported);
+  CHECK(has_text(failure.text, "are of clouds"));
 }

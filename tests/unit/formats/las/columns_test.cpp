@@ -26,7 +26,7 @@ ColumnPtr single(const std::string& name, T value) {
   return make_column<T>({name}, values);
 }
 
-// True when a standard dimension of the format takes the field.
+// True when a standard dimension of the format takes the field, and all of it.
 template <class T>
 bool is_standard(unsigned format, const std::string& name, T value) {
   FieldTable fields;
@@ -34,8 +34,8 @@ bool is_standard(unsigned format, const std::string& name, T value) {
   std::vector<ColumnPtr> left;
   Task task;
   const bool placed = !las::standard_columns(fields, format, left, task).empty();
-  CHECK(left.size() == (placed ? 0 : 1));
-  return placed;
+  CHECK((placed || left.size() == 1));
+  return placed && left.empty();
 }
 
 ColumnPtr empty_column(const std::string& name, ElementType type, uint32_t components) {
@@ -45,7 +45,7 @@ ColumnPtr empty_column(const std::string& name, ElementType type, uint32_t compo
 std::vector<las::ExtraColumn> laid_out(const std::vector<ColumnPtr>& fields,
                                        const std::vector<las::ExtraDimension>& known = {}) {
   Task task;
-  return las::extra_columns(fields, known, 20, task);
+  return las::extra_columns(fields, known, 0, task);
 }
 
 // Names in the descriptors, in the order of the file.
@@ -93,6 +93,25 @@ TEST_CASE("las_columns__a_field_is_standard_up_to_the_greatest_number_of_its_bit
   CHECK(is_standard(6, "scan_angle", 0.006f));  // steps of 0.006 degrees
   CHECK_FALSE(is_standard(6, "scan_angle", 0.005f));
   CHECK_FALSE(is_standard(0, "amplitude", uint8_t{1}));
+}
+
+TEST_CASE(
+    "las_columns__angles_between_steps_are_rounded_and_kept_exactly_under_a_name_of_their_own") {
+  FieldTable fields;
+  fields.set(single("scan_angle", 5.0f));
+  fields.set(single("intensity", 0.5f));
+  std::vector<ColumnPtr> left;
+  Task task;
+  const auto placed = las::standard_columns(fields, 6, left, task);
+  REQUIRE(placed.size() == 1);
+  CHECK(placed[0].column->info().name == "scan_angle");
+  REQUIRE(left.size() == 2);
+  CHECK(names_in(las::extra_columns(left, {}, 6, task)) ==
+        std::vector<std::string>{"scan_angle_exact", "intensity_exact"});
+  fields.set(single("scan_angle", 200.0f));  // beyond what 16 bits hold
+  left.clear();
+  CHECK(las::standard_columns(fields, 6, left, task).empty());
+  CHECK(left.size() == 2);
 }
 
 TEST_CASE("las_columns__extra_fields_lie_side_by_side_behind_the_core_and_undescribed_ones_last") {

@@ -37,7 +37,7 @@ pub unsafe extern "C" fn jc_bytes_free(bytes: Bytes) {
     }
 }
 
-/// The record "laszip encoded" of a point format in chunks of one size.
+/// The record "laszip encoded" of a point format in chunks of one size; 0: each of its own.
 #[no_mangle]
 pub unsafe extern "C" fn jc_laz_record(
     format: u8,
@@ -50,7 +50,11 @@ pub unsafe extern "C" fn jc_laz_record(
     guarded(&message, || {
         let items = LazItemRecordBuilder::default_for_point_format_id(format, extra_bytes)
             .map_err(|e| e.to_string())?;
-        let vlr = LazVlrBuilder::new(items).with_fixed_chunk_size(chunk_points).build();
+        let builder = LazVlrBuilder::new(items);
+        let vlr = match chunk_points {
+            0 => builder.with_variable_chunk_size().build(),
+            points => builder.with_fixed_chunk_size(points).build(),
+        };
         let mut bytes = Vec::new();
         vlr.write_to(&mut bytes).map_err(|e| e.to_string())?;
         *out = Bytes::of(bytes);
@@ -97,11 +101,12 @@ fn pack<W>(
     Ok(encoder.into_inner())
 }
 
-/// The table of chunks of one size, version first.
+/// The table of chunks, version first. counts: of the points of chunks that have each their own, else null.
 #[no_mangle]
 pub unsafe extern "C" fn jc_laz_table(
     vlr: *const u8,
     vlr_bytes: u64,
+    counts: *const u64,
     sizes: *const u64,
     count: u64,
     out: *mut Bytes,
@@ -111,8 +116,9 @@ pub unsafe extern "C" fn jc_laz_table(
     guarded(&message, || {
         let vlr = vlr_of(vlr, vlr_bytes)?;
         let mut table = ChunkTable::with_capacity(count as usize);
-        for byte_count in std::slice::from_raw_parts(sizes, count as usize) {
-            table.push(ChunkTableEntry { point_count: 0, byte_count: *byte_count });
+        for i in 0..count as usize {
+            let point_count = if counts.is_null() { 0 } else { *counts.add(i) };
+            table.push(ChunkTableEntry { point_count, byte_count: *sizes.add(i) });
         }
         let mut bytes = Vec::new();
         table.write_to(&mut bytes, &vlr).map_err(|e| e.to_string())?;
