@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/options.h"
 
+#include <array>
 #include <charconv>
 #include <cmath>
 
@@ -172,7 +173,7 @@ std::string describe(jalon_params* params) {
 }
 
 void Input::add_to(Command& command, bool required) {
-  command.option("scan", path, "Scan file: LAS, LAZ, E57, PTX, PTS, PCD, PLY, XYZ, TXT, CSV")
+  command.option("scan", path, "Scan file: LAS, LAZ, COPC, E57, PTX, PTS, PCD, PLY, XYZ, TXT, CSV")
       .required(required)
       .type_name("SCAN");
   add_reading_to(command);
@@ -189,6 +190,16 @@ void Input::add_reading_to(Command& command) {
           "Where the scanner stood, for all points: tells the front of surfaces and what was seen")
       .type_name("X,Y,Z");
   command.flag("--drop-invalid", drop_invalid, "Drop points whose coordinates are not finite");
+  command
+      .option(
+          "--box", box,
+          "Read the points of this box alone, its least corner and its greatest, in metres; of a "
+          "COPC file only what it touches is read")
+      .type_name("X,Y,Z,X,Y,Z");
+  command
+      .option("--spacing", spacing_m,
+              "Read the levels of a COPC file down to this spacing of their points, in metres")
+      .type_name("M");
 }
 
 void Input::add_unit_to(Command& command, const std::string& option) {
@@ -200,12 +211,36 @@ void Input::add_unit_to(Command& command, const std::string& option) {
       .among({"m", "cm", "mm", "ft", "us-ft"});
 }
 
+namespace {
+
+// Numbers between commas.
+template <size_t N>
+std::array<double, N> numbers_in(const std::string& text, const std::string& need) {
+  std::array<double, N> numbers{};
+  const char *rest = text.data(), *last = text.data() + text.size();
+  for (size_t k = 0; k < N; ++k) {
+    const auto [end, error] = std::from_chars(rest, last, numbers[k]);
+    const bool is_ended = k + 1 == N ? end == last : end != last && *end == ',';
+    if (error != std::errc() || !is_ended || !std::isfinite(numbers[k]))
+      throw usage(need + ", not \"" + text + "\"");
+    rest = k + 1 == N ? end : end + 1;
+  }
+  return numbers;
+}
+
+}  // namespace
+
 Cloud Input::read(Console& console) const {
   Params params = make_params("read");
   if (!columns.empty()) must(jalon_params_set_string(params.get(), "columns", columns.c_str()));
   for (const auto& [name, kind] : kUnits)
     if (unit == name) must(jalon_params_set_string(params.get(), "unit", kind));
   if (drop_invalid) must(jalon_params_set_bool(params.get(), "drop_invalid", 1));
+  if (!box.empty()) {
+    const auto corners = numbers_in<6>(box, "a box needs X,Y,Z,X,Y,Z in metres");
+    must(jalon_params_set_doubles(params.get(), "box", corners.data(), corners.size()));
+  }
+  must(jalon_params_set_double(params.get(), "spacing_m", spacing_m));
   Cloud cloud;
   const bool has_station = !station.empty();
   const jalon_transform pose = has_station ? pose_at(station) : jalon_transform{};
@@ -215,16 +250,8 @@ Cloud Input::read(Console& console) const {
 }
 
 jalon_transform pose_at(const std::string& text) {
-  jalon_transform pose{{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0}};
-  const char *rest = text.data(), *last = text.data() + text.size();
-  for (const int k : {3, 7, 11}) {
-    const auto [end, error] = std::from_chars(rest, last, pose.m[k]);
-    const bool is_ended = k == 11 ? end == last : end != last && *end == ',';
-    if (error != std::errc() || !is_ended || !std::isfinite(pose.m[k]))
-      throw usage("a station needs X,Y,Z in metres, not \"" + text + "\"");
-    rest = k == 11 ? end : end + 1;
-  }
-  return pose;
+  const auto [x, y, z] = numbers_in<3>(text, "a station needs X,Y,Z in metres");
+  return {{1, 0, 0, x, 0, 1, 0, y, 0, 0, 1, z}};
 }
 
 uint64_t count_of(const Cloud& cloud) {

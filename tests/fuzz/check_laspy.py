@@ -226,6 +226,14 @@ def laspy_reads_what_jalon_wrote(jalon, folder, tally):
         tally.case("Jalon's %s format %d read by laspy: %d fields" % (version, point_format, len(fields)), problems)
 
 
+def check_copc(jalon, folder, tally):
+    if not jalon.has_laz():
+        print("skipped: COPC was not built")
+        return 1
+    import check_copc as copc
+    return copc.check(jalon, folder, tally)
+
+
 def check_e57(jalon, folder, tally):
     """E57 by pye57, which has no wheel for some machines: then one skipped."""
     try:
@@ -245,7 +253,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         read_what_laspy_wrote(jalon, pathlib.Path(name), tally)
         laspy_reads_what_jalon_wrote(jalon, pathlib.Path(name), tally)
-        skipped = check_e57(jalon, pathlib.Path(name), tally)
+        skipped = check_copc(jalon, pathlib.Path(name), tally)
+        skipped += check_e57(jalon, pathlib.Path(name), tally)
     print("laspy %s, LAZ %s" % (laspy.__version__, "both ways" if jalon.has_laz() else "not built"))
     print("%d passed, %d failed, %d skipped" % (tally.passed, tally.failed, skipped))
     return 1 if tally.failed else 0

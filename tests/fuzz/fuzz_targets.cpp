@@ -64,6 +64,21 @@ template <const char* kExtension>
 void cloud_file(const uint8_t* data, size_t size) {
   read_cloud(kExtension, data, size);
 }
+// Whole, and by the nodes that a box touches.
+void copc_file(const uint8_t* data, size_t size) {
+  read_cloud("copc.laz", data, size);
+  static jalon_params* options = nullptr;
+  constexpr double kBox[6] = {-1, -1, -1, 1, 1, 1};
+  if (options == nullptr && (jalon_params_create("read", &options) != JALON_OK ||
+                             jalon_params_set_doubles(options, "box", kBox, 6) != JALON_OK))
+    std::abort();
+  const std::string path = file_with("copc.laz", data, size);
+  jalon_cloud* cloud = nullptr;
+  expect(jalon_cloud_read(path.c_str(), options, one_thread(), &cloud));
+  jalon_cloud_release(cloud);
+  ::unlink(path.c_str());
+}
+
 template <const char* kExtension>
 void model_file(const uint8_t* data, size_t size) {
   read_model(kExtension, data, size);
@@ -153,6 +168,7 @@ void mend_pages(std::string& bytes) {
 constexpr Target kTargets[] = {
     {"las", cloud_file<kLas>, nullptr},
     {"laz", cloud_file<kLaz>, nullptr},
+    {"copc.laz", copc_file, nullptr},
     {"e57", cloud_file<kE57>, mend_pages},
     {"ply", cloud_file<kPly>, nullptr},
     {"ply_model", model_file<kPly>, nullptr},

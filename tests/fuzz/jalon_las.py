@@ -52,10 +52,15 @@ class Jalon:
                 return bool(info[2])
         return False
 
-    def read(self, path):
+    def read(self, path, box=(), spacing_m=0.0):
         """(coordinates, {name: values}, CRS text)"""
         cloud, fields, view, crs = ctypes.c_void_p(), ctypes.c_void_p(), View(), ctypes.c_char_p()
-        self.call("jalon_cloud_read", str(path).encode(), None, None, ctypes.byref(cloud))
+        options = ctypes.c_void_p()
+        self.call("jalon_params_create", b"read", ctypes.byref(options))
+        self.call("jalon_params_set_doubles", options, b"box", (ctypes.c_double * len(box))(*box), ctypes.c_uint64(len(box)))
+        self.call("jalon_params_set_double", options, b"spacing_m", ctypes.c_double(spacing_m))
+        self.call("jalon_cloud_read", str(path).encode(), options, None, ctypes.byref(cloud))
+        self.lib.jalon_params_release(options)
         self.call("jalon_cloud_points", cloud, ctypes.byref(view))
         xyz = array_of(view)
         self.call("jalon_cloud_crs", cloud, ctypes.byref(crs))

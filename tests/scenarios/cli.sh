@@ -63,6 +63,15 @@ check "formats lists extensions and abilities" bash -c "'$jalon' formats | grep 
 check "convert LAS to PLY" "$jalon" convert sample.las sample.ply
 check "convert PLY to XYZ" "$jalon" convert quiet.las quiet.xyz
 check "convert XYZ to LAS keeps the points" bash -c "'$jalon' convert quiet.xyz back.las --quiet && [ \$('$jalon' info back.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') -eq \$('$jalon' info quiet.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') ]"
+has_codecs=$("$jalon" formats | grep -c '^LAZ .*read write')
+if [ "$has_codecs" -ne 0 ]; then
+  check "convert writes COPC, and reads a box of it as of LAS" bash -c "'$jalon' convert quiet.las quiet.copc.laz --quiet && box=\$('$jalon' info quiet.las --json | python3 -c 'import json,sys; d=json.load(sys.stdin); a,b=d[\"min\"],d[\"max\"]; print(\",\".join(map(repr, a+[(x+y)/2 for x,y in zip(a,b)])))') && '$jalon' convert --box=\$box quiet.las part.las --json | grep points >n && '$jalon' convert --box=\$box quiet.copc.laz part.ply --json | grep points | cmp - n"
+  check "info of COPC by levels has fewer points" bash -c "'$jalon' info --spacing 1e9 quiet.copc.laz --json | grep -q points"
+else
+  echo "skipped: COPC was not built" && skipped=$((skipped + 1))
+fi
+refuses "a box of three numbers" 2 'box' "$jalon" info --box 1,2,3 quiet.las
+refuses "levels of a file that has none" 6 'COPC' "$jalon" info --spacing 0.1 quiet.las
 check "convert joins scans, and PCD keeps them" bash -c "'$jalon' convert quiet.las quiet.xyz quiet.las both.pcd --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"inputs\"])==3, d; print(d[\"points\"])' >n && '$jalon' convert both.pcd again.ply --json | grep -q \"\$(cat n)\""
 refuses "several models for one" 2 'several models' bash -c "printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >m.obj; exec '$jalon' convert m.obj m.obj m.stl"
 check "convert takes models" bash -c "'$jalon' convert m.obj m.stl && '$jalon' convert m.stl m.dxf --quiet && '$jalon' convert m.obj m.ply --quiet && grep -q 'element face' -a m.ply && test -s m.dxf"

@@ -26,9 +26,10 @@ struct CopcTree {
 };
 
 /// xyz: of n points, as the file will give them back. The cube stands on their lowest corner and has
-/// the longest side of their box, as programs take it that look at the header alone (copclib). Each node keeps the point nearest to the centre
-/// of each cell of its grid of 128^3 and hands the others down; few are kept all. O(n log n), the
-/// same for any number of threads. Error(kLimit) above 2^32 - 2 points.
+/// the longest side of their box, as programs take it that look at the header alone (copclib). Each
+/// node keeps the point nearest to the centre of each cell of its grid of 128^3 and hands the others
+/// down; few are kept all. O(n log n), the same for any number of threads. Error(kLimit) above
+/// 2^32 - 2 points.
 CopcTree copc_tree(Buffer<double> xyz, Task& task);
 
 }  // namespace jalon::las

@@ -42,7 +42,9 @@ void put_identity(std::byte* out, const Plan& plan) {
   for (const auto* list : {&plan.vlrs, &plan.evlrs})
     for (const Record& record : *list) wkt = wkt || record.is("LASF_Projection", 2112);
   uint16_t encoding = load<uint16_t>(out + 6) & (kTimeTypeBit | kSyntheticReturnsBit);
-  if (wkt && plan.version_minor == 4) encoding |= kWktBit;
+  // COPC has no other texts of a CRS, and readers ask for the bit where it has none too.
+  const bool is_copc = !plan.vlrs.empty() && is_copc_record(plan.vlrs[0]);
+  if ((wkt && plan.version_minor == 4) || is_copc) encoding |= kWktBit;
   store<uint16_t>(out + 6, encoding);
 }
 
