@@ -14,17 +14,18 @@
  *
  * Clouds: LAS 1.0-1.4 (point formats 0-10 read; 1.2 and 1.4 written; VLRs, EVLRs and CRS carried verbatim; other fields
  * as extra bytes, with "_exact" behind the name where a standard dimension of that name cannot hold the values; angles
- * between the steps of a standard dimension are rounded there too), PLY (ASCII, both endians, all scalar properties), XYZ/TXT/CSV text, and
+ * between the steps of a standard dimension are rounded there too), PLY (ASCII, both endians, all scalar properties),
+ * XYZ/TXT/CSV text, and
  *
  * - LAZ (laz), read and written: as LAS; its chunks are decoded and encoded on all threads.
- * - COPC (copc.laz), read and written: LAZ 1.4 of point formats 6-8 whose chunks are the nodes of an octree. Whole it is
- *   read as LAZ, in the order of the file. With the options "box" and "spacing_m" only the hierarchy's pages and the
- *   chunks of nodes are read that the box touches, of levels down to the first whose points stand no wider apart than
- *   "spacing_m" (the spacing that the file tells, halved each level); the points are those of the whole file in that box
- *   and those levels, in its order. Written: the cube stands on the lowest corner of the points; each node keeps of each
- *   cell of its grid of 128^3 the point nearest to the centre, a node of at most 10 000 points all of them, and the
- *   levels follow one another. A CRS is kept as in LAS; other programs want it as WKT. The same bytes for any number of
- *   threads.
+ * - COPC (copc.laz), read and written: LAZ 1.4 of point formats 6-8 whose chunks are the nodes of an octree. Read whole
+ *   it is LAZ, in the order of the file. With the options "box" and "spacing_m" only those pages of the hierarchy and
+ *   chunks are read whose nodes the box touches, down to the first level whose points stand no wider apart than
+ *   "spacing_m" (the spacing that the file tells, halved each level). The points are those of the whole file in that
+ *   box and those levels, in its order. Written: the cube stands on the lowest corner of the points; each node keeps of
+ *   each cell of its grid of 128^3 the point nearest to the centre, a node of at most 10 000 points all of them, and the
+ *   levels follow one another. A CRS is kept as in LAS; other programs want it as WKT. The same bytes for any number
+ *   of threads.
  * - E57 (e57), read and written: a station for each scan, points moved by its pose, those marked invalid left out.
  *   Fields row and column (uint32), intensity (float32), red, green, blue (uint8, or uint16 where a scan has more than
  *   255), return_number (from 1), number_of_returns, time (s), normal, and those of extensions in the smallest type
