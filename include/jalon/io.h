@@ -22,9 +22,9 @@
  *   it is LAZ, in the order of the file. With the options "box" and "spacing_m" only those pages of the hierarchy and
  *   chunks are read whose nodes the box touches, down to the first level whose points stand no wider apart than
  *   "spacing_m" (the spacing that the file tells, halved each level). The points are those of the whole file in that
- *   box and those levels, in its order. Written: the cube stands on the lowest corner of the points; each node keeps of
- *   each cell of its grid of 128^3 the point nearest to the centre, a node of at most 10 000 points all of them, and the
- *   levels follow one another. A CRS is kept as in LAS; other programs want it as WKT. The same bytes for any number
+ *   box and those levels, in its order. Written: the cube stands on the lowest corner of the points; each node keeps
+ *   the point nearest to the centre of each cell of its grid of 128^3, a node of at most 10 000 points all of them, and
+ *   the levels follow one another. A CRS is kept as in LAS; other programs want it as WKT. The same bytes for any number
  *   of threads.
  * - E57 (e57), read and written: a station for each scan, points moved by its pose, those marked invalid left out.
  *   Fields row and column (uint32), intensity (float32), red, green, blue (uint8, or uint16 where a scan has more than

@@ -108,6 +108,7 @@ inline constexpr Format kFormats[] = {
      .mark = "LASF",
      .read_cloud = read_las,
      .write_cloud = write_laz,
+     .keeps_stations = true,
      .knows_units = true,
      .component = kCodecs},
     {.name = "E57",

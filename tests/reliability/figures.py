@@ -19,7 +19,7 @@ FIGURES = [
     Figure("H3", "the inputs that fuzzing kept are read by every build", [("replay", "fuzz_replay"), ("asan/replay", "fuzz_replay")], EACH, "not under Valgrind"),
     Figure("H4", "5 million drawn sequences of 1 to 40 calls on all kinds of handles", [("release/capi_sequences", "FIGURE sequences"), ("asan/capi_sequences", "FIGURE sequences")], LONG,
            "20 000 in the long run, 2 000 of them under the address sanitizer"),
-    Figure("H5", "differential reading of 300 files a format", [("laspy", "check_laspy.py")], EACH, "54 files of LAS, LAZ and E57"),
+    Figure("H5", "differential reading of 300 files a format", [("laspy", "check_laspy.py")], EACH, "57 files of LAS, LAZ, COPC and E57"),
     Figure("H6", "lying counts allocate less than 1 MiB", [("release/unit_formats", "a_lying_count_is_refused_before_anything_is_allocated")], EACH, "asserted for LAS; the others only within H1's limit"),
     Figure("H7", "text bombs: depth and length of tokens limited", [("malformed", "lists and tokens")], EACH, "depth and length are tested, not 20 samples of each"),
     Figure("H8", "hostile names change no structure of an output", [("release/unit_formats", "hostile_names_never_leave_their_group"), ("release/unit_report", "hostile_names_stay_text")], EACH, "CSV and file names are not in the set"),

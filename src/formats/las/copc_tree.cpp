@@ -23,7 +23,8 @@ constexpr size_t kLeastPoints = 100;    // a child of fewer is no node: its chun
 constexpr int kLastLevel = kMaxLevel - kGridLevels;  // beyond it the octree knows no cells
 constexpr int kGridBits = 31;                        // of the octree's coordinates
 constexpr double kGridEdge = 0x1p31;
-constexpr size_t kGrain = size_t{1} << 16;  // points between two looks at the cancel flag
+constexpr size_t kGrain = size_t{1}
+                          << 16;  // points between two looks at the cancel flag, and of a chunk
 
 /// A node's points before it has chosen.
 struct Run {
@@ -73,9 +74,11 @@ class Chooser {
     const std::array<size_t, 8> left = keep_crumbs(points, level, kept);
     std::vector<uint32_t> others;
     size_t to = 0;
-    for (size_t i = 0; i < points.size(); ++i)
+    for (size_t i = 0; i < points.size(); ++i) {
+      look(i);
       if (kept[i] != 0) points[to++] = points[i];
       else others.push_back(points[i]);
+    }
     std::ranges::copy(others, points.begin() + static_cast<ptrdiff_t>(to));
     Choice choice{to, {}};
     size_t end = to;
@@ -84,20 +87,24 @@ class Chooser {
   }
 
  private:
+  // A root has all points of the cloud.
+  void look(size_t i) const {
+    if (i % kGrain == 0 && task_.cancelled()) task_.checkpoint(0);
+  }
+
   void keep_grid(std::span<const uint32_t> points, int cells, std::vector<uint8_t>& kept) const {
-    for (size_t i = 0, next = 0; i < points.size();) {
-      if (i >= next) {
-        next = i + kGrain;
-        if (task_.cancelled()) task_.checkpoint(0);
-      }
+    for (size_t i = 0; i < points.size();) {
+      look(i);
       size_t best = i;
       int64_t least = grid_.squared_distance(points[i], cells);
       const uint32_t first = points[i];
-      for (++i; i < points.size() && grid_.share_cell(first, points[i], cells); ++i)
+      for (++i; i < points.size() && grid_.share_cell(first, points[i], cells); ++i) {
+        look(i);
         if (const int64_t d = grid_.squared_distance(points[i], cells); d < least) {
           least = d;
           best = i;
         }
+      }
       kept[best] = 1;
     }
   }
@@ -106,10 +113,14 @@ class Chooser {
   std::array<size_t, 8> keep_crumbs(std::span<const uint32_t> points, int level,
                                     std::vector<uint8_t>& kept) const {
     std::array<size_t, 8> left{};
-    for (size_t i = 0; i < points.size(); ++i)
+    for (size_t i = 0; i < points.size(); ++i) {
+      look(i);
       if (kept[i] == 0) ++left[grid_.child(points[i], level)];
-    for (size_t i = 0; i < points.size(); ++i)
+    }
+    for (size_t i = 0; i < points.size(); ++i) {
+      look(i);
       if (left[grid_.child(points[i], level)] < kLeastPoints) kept[i] = 1;
+    }
     for (size_t& count : left)
       if (count < kLeastPoints) count = 0;
     return left;

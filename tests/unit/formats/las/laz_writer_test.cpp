@@ -101,6 +101,21 @@ TEST_CASE("laz_writer__empty_clouds_and_extended_records_are_written") {
   CHECK(std::string(back.crs) == std::string(cloud.crs));
 }
 
+TEST_CASE("laz_writer__stations_are_in_the_file_and_in_none_beside_it") {
+  if (skipped()) return;
+  Cloud cloud = random_points(100, 4);
+  Station station;
+  station.name = "west";
+  station.count = cloud.size();
+  cloud.stations = {station};
+  const Folder folder;
+  write(cloud, folder.file("a.laz"));
+  CHECK(folder.entries() == 1);
+  const Cloud back = read(folder.file("a.laz"));
+  REQUIRE(back.stations.size() == 1);
+  CHECK(std::string(back.stations[0].name) == "west");
+}
+
 TEST_CASE("laz_writer__without_the_component_the_line_says_what_to_install") {
   if (has_codecs()) return;
   const Folder folder;
