@@ -24,8 +24,8 @@
  *   "spacing_m" (the spacing that the file tells, halved each level). The points are those of the whole file in that
  *   box and those levels, in its order. Written: the cube stands on the lowest corner of the points; each node keeps
  *   the point nearest to the centre of each cell of its grid of 128^3, a node of at most 10 000 points all of them, and
- *   the levels follow one another. A CRS is kept as in LAS; other programs want it as WKT. The same bytes for any number
- *   of threads.
+ *   the levels follow one another. A CRS is kept as in LAS; other programs want it as WKT. The same bytes for any
+ *   number of threads.
  * - E57 (e57), read and written: a station for each scan, points moved by its pose, those marked invalid left out.
  *   Fields row and column (uint32), intensity (float32), red, green, blue (uint8, or uint16 where a scan has more than
  *   255), return_number (from 1), number_of_returns, time (s), normal, and those of extensions in the smallest type
