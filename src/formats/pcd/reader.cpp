@@ -12,6 +12,7 @@
 #include "base/parallel.h"
 #include "formats/files/endian.h"
 #include "formats/files/fast_number.h"
+#include "formats/files/component.h"
 #include "formats/files/finish_cloud.h"
 #include "formats/files/utf8.h"
 #include "formats/pcd/header.h"
@@ -81,9 +82,9 @@ class Layout {
     if (member.name == "_") return target;
     for (size_t k = 0; k < 3 && member.count == 1; ++k) {
       if (member.name == std::string(1, "xyz"[k]))
-        return {points_.xyz.data() + k, 3, ElementType::kFloat64, {}};
+        return {component(points_.xyz.data(), k), 3, ElementType::kFloat64, {}};
       if (normal_ != nullptr && member.name == std::string("normal_") + "xyz"[k])
-        return {static_cast<float*>(normal_->raw()) + k, 3, ElementType::kFloat32, {}};
+        return {component(static_cast<float*>(normal_->raw()), k), 3, ElementType::kFloat32, {}};
     }
     if (is_packed_colour(member)) {
       static constexpr const char* kColours[] = {"red", "green", "blue", "alpha"};

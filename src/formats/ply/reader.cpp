@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/large_memory.h"
 #include "base/parallel.h"
+#include "formats/files/component.h"
 #include "formats/files/finish_cloud.h"
 #include "formats/files/told_stations.h"
 #include "formats/files/utf8.h"
@@ -73,13 +74,17 @@ Vertices prepare(const ByteSource& source, const Header& header, const Element& 
   unique.add("normal");
   for (const Property& property : element.properties) {
     Sink sink;
+    bool is_placed = property.list;
     for (size_t k = 0; k < 3 && !property.list; ++k) {
-      if (property.name == std::string_view("xyz").substr(k, 1))
-        sink = {out.xyz.data() + k, 3, ElementType::kFloat64};
-      if (normals && property.name == std::string("n") + "xyz"[k])
-        sink = {static_cast<float*>(normal->raw()) + k, 3, ElementType::kFloat32};
+      if (property.name == std::string_view("xyz").substr(k, 1)) {
+        sink = {component(out.xyz.data(), k), 3, ElementType::kFloat64};
+        is_placed = true;
+      } else if (normals && property.name == std::string("n") + "xyz"[k]) {
+        sink = {component(static_cast<float*>(normal->raw()), k), 3, ElementType::kFloat32};
+        is_placed = true;
+      }
     }
-    if (sink.out == nullptr && !property.list && with_fields) {
+    if (!is_placed && with_fields) {
       out.columns.push_back(std::make_shared<Column>(
           FieldInfo{field_name(property, header, unique), property.type, 1, "", ""}, count));
       sink = {out.columns.back()->raw(), 1, property.type};

@@ -12,6 +12,7 @@
 #include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/files/fast_number.h"
+#include "formats/files/component.h"
 #include "formats/files/finish_cloud.h"
 #include "formats/files/utf8.h"
 #include "formats/text/layout.h"
@@ -188,9 +189,9 @@ class TextReader {
       if (names[c].empty()) continue;
       for (size_t k = 0; k < 3; ++k) {
         if (names[c] == std::string_view("xyz").substr(k, 1))
-          columns_[c] = {Column64::kNumbers, xyz.data() + k, 3};
+          columns_[c] = {Column64::kNumbers, component(xyz.data(), k), 3};
         if (normals && names[c] == std::string("n") + "xyz"[k])
-          columns_[c] = {Column64::kFloats, static_cast<float*>(normal_->raw()) + k, 3};
+          columns_[c] = {Column64::kFloats, component(static_cast<float*>(normal_->raw()), k), 3};
       }
       if (columns_[c].kind != Column64::kSkip) continue;
       held_[c] =

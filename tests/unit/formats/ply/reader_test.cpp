@@ -137,6 +137,22 @@ TEST_CASE("ply_reader__fields_have_the_names_of_the_properties_or_the_usual_ones
   CHECK_FALSE(is_ply(longer));
 }
 
+TEST_CASE("ply_reader__without_vertices_gives_a_cloud_with_the_other_fields_alone") {
+  for (const char* format : {"ascii", "binary_little_endian", "binary_big_endian"}) {
+    CAPTURE(format);
+    const Cloud cloud =
+        ply_cloud(std::string("ply\nformat ") + format +
+                  " 1.0\nelement vertex 0\nproperty float x\nproperty float y\nproperty float z\n"
+                  "property float nx\nproperty float ny\nproperty float nz\nproperty uchar label\n"
+                  "end_header\n");
+    CHECK(cloud.size() == 0);
+    CHECK(cloud.fields.find("x") == nullptr);
+    CHECK(cloud.fields.find("nx") == nullptr);
+    CHECK(cloud.fields.find("normal") != nullptr);
+    CHECK(cloud.fields.find("label") != nullptr);
+  }
+}
+
 TEST_CASE("ply_reader__faces_become_triangles_whatever_stands_between_and_beside_the_lists") {
   const Model model = ply_model(
       kAscii + kFourCorners + "property uchar red\nelement edge 2\nproperty list int int v\n" +
