@@ -13,7 +13,7 @@ struct Target {
   const char* name;
   void (*read)(const uint8_t* data, size_t size);
   /// Of a checked format: makes changed bytes pass the check, so that they reach what is behind it.
-  void (*mend)(std::string& bytes);
+  void (*mend)(std::string& bytes) = nullptr;
 };
 
 /// NULL: there is no target of this name.

@@ -68,10 +68,21 @@ if(jalon_has_codecs)
   set(codecs_flags "RUSTFLAGS=--remap-path-prefix=${cargo_home}=crates --remap-path-prefix=${PROJECT_SOURCE_DIR}=jalon")
   set(codecs_folder "${CMAKE_CURRENT_BINARY_DIR}/codecs")
   set(codecs_library "${codecs_folder}/release/libjalon_codecs.a")
+  set(codecs_fuzzing)
+  if(JALON_FUZZ) # coverage for libFuzzer here too; a target that is named keeps the flags from programs that run while building
+    execute_process(COMMAND "${JALON_RUSTC}" -vV OUTPUT_VARIABLE rustc_says)
+    string(REGEX MATCH "host: ([^\n]+)" rustc_says "${rustc_says}")
+    set(codecs_library "${codecs_folder}/${CMAKE_MATCH_1}/release/libjalon_codecs.a")
+    set(codecs_fuzzing "CARGO_BUILD_TARGET=${CMAKE_MATCH_1}" CARGO_PROFILE_RELEASE_LTO=off)
+    string(APPEND codecs_flags " -Cpasses=sancov-module")
+    foreach(part level=4 inline-8bit-counters pc-table trace-compares)
+      string(APPEND codecs_flags " -Cllvm-args=-sanitizer-coverage-${part}")
+    endforeach()
+  endif()
   file(GLOB codecs_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/formats/codecs/rust/src/*.rs"
        "${CMAKE_CURRENT_SOURCE_DIR}/formats/codecs/rust/Cargo.*")
   add_custom_command(OUTPUT "${codecs_library}" DEPENDS ${codecs_sources} VERBATIM COMMENT "Building LAZ and E57 by cargo"
-                     COMMAND "${CMAKE_COMMAND}" -E env "CARGO_TARGET_DIR=${codecs_folder}" "${codecs_flags}"
+                     COMMAND "${CMAKE_COMMAND}" -E env "CARGO_TARGET_DIR=${codecs_folder}" "${codecs_flags}" ${codecs_fuzzing}
                              "${JALON_CARGO}" build --quiet
                              --release --offline ${jalon_cargo_options})
   add_custom_target(jalon_codecs_library DEPENDS "${codecs_library}")
