@@ -113,6 +113,7 @@ class Placer {
       taker_.patch(std::move(out));
     }
     for (const Insert& insert : shapes.inserts) {
+      count(1);
       const auto block = blocks_.find(lower(insert.block));
       if (block == blocks_.end()) {
         taker_.missing(insert.block);
@@ -129,8 +130,9 @@ class Placer {
   }
 
  private:
+  // What has no corners takes time all the same.
   void count(size_t corners) {
-    corners_ += corners;
+    corners_ += std::max<size_t>(corners, 1);
     if (corners_ > most_)
       fail(Status::kLimit, "%.400s: blocks in blocks stand for more than %llu corners",
            file_.path.c_str(), static_cast<unsigned long long>(most_));

@@ -112,3 +112,20 @@ TEST_CASE("dxf_placing__blocks_without_end_are_refused") {
   drawing.inserts = {top};
   CHECK(failure_of([&] { placed(drawing, blocks); }).status == Status::kLimit);
 }
+
+TEST_CASE("dxf_placing__what_has_no_corners_counts_where_it_is_repeated") {
+  // A million times a thousand of what shows nothing: blocks that are not there, outlines without corners.
+  constexpr size_t kEach = 1000;
+  Insert lost;
+  lost.block = "lost";
+  Shapes inserts, outlines;
+  inserts.inserts.assign(kEach, lost);
+  outlines.loops.assign(kEach, Loop{"0", {}, {}, {0, 0, 1}, {}});
+  for (const Shapes& shapes : {inserts, outlines}) {
+    Insert many;
+    many.block = "b", many.columns = 1000, many.rows = 1000;
+    Shapes drawing;
+    drawing.inserts = {many};
+    CHECK(failure_of([&] { placed(drawing, {{"b", shapes}}); }).status == Status::kLimit);
+  }
+}
