@@ -11,7 +11,7 @@ namespace fuzz {
 namespace {
 
 /// Two walls and the ground between them, a point every quarter of a metre.
-jalon_cloud* corner() {
+jalon_cloud* make_corner() {
   constexpr int kSide = 16;
   double xyz[3 * kSide * kSide * 3];
   size_t n = 0;
@@ -23,6 +23,11 @@ jalon_cloud* corner() {
   jalon_cloud* out = nullptr;
   must(jalon_cloud_create(xyz, JALON_FLOAT64, n / 3, 0, 0, &out));
   return out;
+}
+
+const jalon_cloud* corner() {
+  static jalon_cloud* const cloud = make_corner();
+  return cloud;
 }
 
 jalon_segmenter* by_codes(const char* method) {
@@ -68,7 +73,6 @@ void read_network(const uint8_t* data, size_t size) {
 }
 
 void read_codes(const uint8_t* data, size_t size) {
-  static jalon_cloud* const cloud = corner();
   static jalon_segmenter* const methods[] = {by_codes("survey_codes"), by_codes("target_codes")};
   if (size == 0) return;
   const jalon_segmenter* const method = methods[data[0] % 2];
@@ -82,7 +86,7 @@ void read_codes(const uint8_t* data, size_t size) {
   must(jalon_segmenter_params(own, &params));
   if (succeeds(jalon_params_set_string(params, "codes", codes.c_str())) &&
       succeeds(jalon_params_set_string(params, "table", table.c_str())))
-    succeeds(jalon_segmenter_run(own, cloud, one_thread(), &segmentation));
+    succeeds(jalon_segmenter_run(own, corner(), one_thread(), &segmentation));
   jalon_segmentation_release(segmentation);
   jalon_params_release(params);
   jalon_segmenter_release(own);
