@@ -7,6 +7,7 @@
 
 #include "bytes/clouds.h"
 #include "bytes/tables.h"
+#include "geometry/rigid_motion.h"
 
 namespace jalon {
 
@@ -92,6 +93,7 @@ Segmentation read_segmentation(ByteReader& reader, Task& task) {
   if (std::any_of(classes.begin(), classes.end(), [](uint8_t c) { return c > kLastClass; }))
     reader.refuse("a point has an orientation that is none");
   reader.item(out.T_facade_world);
+  if (!is_rigid(out.T_facade_world)) reader.refuse("the facade's frame is no rigid motion");
   reader.item(out.parameters_json);
   if (reader.has_more()) reader.item(out.notes_json);
   return out;

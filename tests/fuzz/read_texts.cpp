@@ -64,6 +64,9 @@ void read_law(const uint8_t* data, size_t size) {
 }
 
 void read_network(const uint8_t* data, size_t size) {
+  // The covariance of each point costs as much as there are unknowns: seconds of chains that are longer.
+  constexpr size_t kMostBytes = 8192;
+  if (size > kMostBytes) return;
   const std::string observations = take_text(data, size, '\0');
   const std::string points(data, data + size);
   jalon_network* network = nullptr;

@@ -121,5 +121,12 @@ TEST_CASE("segmentation_bytes__with_surfaces_that_cannot_be_are_refused") {
         }) == "");
 }
 
+TEST_CASE("segmentation_bytes__with_a_frame_that_is_no_rigid_motion_are_refused") {
+  const char* const kNone = "the facade's frame is no rigid motion";
+  CHECK(
+      has_text(broken_segmentation([](Segmentation& s) { s.T_facade_world.m[0] = 1e200; }), kNone));
+  CHECK(has_text(broken_segmentation([](Segmentation& s) { s.T_facade_world.m[3] = NAN; }), kNone));
+}
+
 }  // namespace
 }  // namespace jalon
