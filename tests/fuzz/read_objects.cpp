@@ -48,11 +48,31 @@ void use(const jalon_model* model) {
 
 void use(const jalon_segmentation* segmentation) {
   look_at(segmentation, {jalon_segmentation_points, jalon_segmentation_segments});
+  static jalon_params* const plan = [] {
+    jalon_params* out = nullptr;
+    must(jalon_params_create("picture", &out));
+    must(jalon_params_set_string(out, "view", "plan"));
+    return out;
+  }();
+  to_file("svg", [&](const char* path) {
+    return jalon_report_write_picture(segmentation, path, plan, one_thread());
+  });
+  static jalon_modeller* const modeller = [] {
+    jalon_modeller* out = nullptr;
+    must(jalon_modeller_create("coded_objects", &out));
+    return out;
+  }();
+  jalon_cloud* cloud = nullptr;
+  jalon_model* model = nullptr;
+  must(jalon_segmentation_cloud(segmentation, &cloud));
+  if (succeeds(jalon_modeller_run(modeller, cloud, segmentation, one_thread(), &model))) use(model);
+  jalon_model_release(model);
+  jalon_cloud_release(cloud);
   to_file("json", [&](const char* path) {
     return jalon_report_write_json(segmentation, nullptr, nullptr, path, nullptr, one_thread());
   });
-  to_file("svg", [&](const char* path) {
-    return jalon_report_write_picture(segmentation, path, nullptr, one_thread());
+  to_file("html", [&](const char* path) {
+    return jalon_report_write_html(segmentation, nullptr, nullptr, path, nullptr, one_thread());
   });
 }
 

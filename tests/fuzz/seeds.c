@@ -143,6 +143,20 @@ static void write_results(void) {
   MUST(jalon_segmenter_run(segmenter, cloud, NULL, &segmentation));
   MUST(jalon_segmentation_to_bytes(segmentation, NULL, &bytes));
   put_bytes(4, "segmentation", bytes);
+  jalon_segmenter* by_codes = NULL;
+  jalon_segmentation* coded = NULL;
+  MUST(jalon_segmenter_create("survey_codes", &by_codes));
+  MUST(jalon_segmenter_params(by_codes, &params));
+  MUST(jalon_params_set_string(
+      params, "codes",
+      "1;0;0;9;300.2\n2;9;0;9;300\n3;9;9;9;300.0\n4;5;5;0;300\n5;2;0;1;350\n6;3;0;3;350\n"
+      "7;1;0;3;370\n8;1.1;0;3;371\n9;1;0;5;372\n10;20;0;0;777\n"));
+  MUST(jalon_segmenter_run(by_codes, cloud, NULL, &coded));
+  MUST(jalon_segmentation_to_bytes(coded, NULL, &bytes));
+  put_bytes(4, "coded", bytes);
+  jalon_segmentation_release(coded);
+  jalon_params_release(params);
+  jalon_segmenter_release(by_codes);
   MUST(jalon_segmenter_params(segmenter, &params));
   MUST(jalon_params_to_bytes(params, &bytes));
   put_bytes(2, "params", bytes);

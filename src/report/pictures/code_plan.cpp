@@ -17,6 +17,7 @@ namespace {
 constexpr double kCodePlanText = 2.5, kCodeText = 1.5, kCodePlanRow = 4.2, kCodeSwatch = 6;
 constexpr double kRoomAround = 0.04;    // of the longer side, about the objects
 constexpr double kLeastRoom_m = 1;      // about the objects
+constexpr double kReach_m = 1e5;        // from the scan: what is told to be farther off is a slip
 constexpr double kLeastPixel_m = 0.01;  // a scan's own spacing is no finer on paper
 constexpr double kOutline_mm = 0.25, kOpening_mm = 0.6, kPoint_mm = 0.3, kLeastGutter_mm = 0.6;
 constexpr const char *kOpeningInk = "#7a3b00", *kGutterInk = "#a00000";
@@ -44,17 +45,24 @@ uint32_t colour_of_class(int64_t class_code) {
                                                    : kKnown + (class_code - kKnown) % kOthers);
 }
 
-Box3 code_window(const Segmentation& segmentation, const CodedNotes& notes, Task& task) {
+Box3 code_window(const Segmentation& segmentation, const CodedNotes& notes) {
+  const Cloud& cloud = *segmentation.cloud;
+  const Vec3 here = cloud.size() > 0 ? cloud.point(0) : Vec3{};
   Box3 box;
+  const auto add = [&](const Vec3& p) {
+    if (std::abs(p.x - here.x) <= kReach_m && std::abs(p.y - here.y) <= kReach_m) box.add(p);
+  };
   for (const NotedObject& o : notes.objects) {
-    for (const NotedPoint& p : o.surveyed) box.add(p.place);
-    for (const Vec3& p : o.outline) box.add(p);
-    for (const Vec3& p : o.axis) box.add(p);
+    for (const NotedPoint& p : o.surveyed) add(p.place);
+    for (const Vec3& p : o.outline) add(p);
+    for (const Vec3& p : o.axis) add(p);
   }
   const auto labels = segmentation.labels->values<uint32_t>();
   for (size_t i = 0; i < labels.size(); ++i)  // walls reach beyond their targets
-    if (labels[i] != 0) box.add(segmentation.cloud->point(i));
-  if (box.empty()) box = bounds(*segmentation.cloud, task);
+    if (labels[i] != 0) add(cloud.point(i));
+  if (box.empty())
+    for (size_t i = 0; i < cloud.size(); ++i) add(cloud.point(i));
+  if (box.empty()) box.add(here);
   const double room =
       std::max(kLeastRoom_m, kRoomAround * std::max(box.max.x - box.min.x, box.max.y - box.min.y));
   return {{box.min.x - room, box.min.y - room, 0}, {box.max.x + room, box.max.y + room, 0}};
@@ -62,7 +70,7 @@ Box3 code_window(const Segmentation& segmentation, const CodedNotes& notes, Task
 
 // The highest class of each pixel's points: a plan sees windows and gutters under eaves and roofs.
 LabelRaster class_raster(const Segmentation& segmentation, const CodedNotes& notes, Task& task) {
-  const Box3 box = code_window(segmentation, notes, task);
+  const Box3 box = code_window(segmentation, notes);
   const double width = box.max.x - box.min.x, height = box.max.y - box.min.y;
   LabelRaster raster;
   raster.pixel_m = std::max(kLeastPixel_m, std::sqrt(width * height / kMaxPicturePixels));
@@ -128,7 +136,7 @@ void draw_object(SvgWriter& svg, const CodePlan& plan, const NotedObject& o) {
         [](const Vec2& a, const Vec2& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
     return draw_lines(svg, {*ends.first, *ends.second}, false, kOpeningInk, kOpening_mm);
   }
-  if (o.shape == "cylinder") {
+  if (o.shape == "cylinder" && !o.axis.empty()) {
     for (const Vec3& p : o.axis) line.push_back(plan.at(p));
     if (line.size() > 2) draw_lines(svg, line, false, kGutterInk, kOutline_mm);
     svg.leaf("circle", {{"cx", line.front().u},

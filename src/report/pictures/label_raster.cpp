@@ -19,6 +19,7 @@ constexpr double kPointsPerCell = 9;  // so that surfaces have no empty cells (e
 constexpr double kPixelsPerSpacing =
     2;  // a point is 3 pixels wide then: surfaces close, edges swell by 3/4 spacing
 constexpr double kLeastExtent_m = 0.01;
+constexpr double kMostExtent_m = 1e9;  // 25 times round the Earth: squares of more may overflow
 constexpr int kClosingNeighbours = 5;  // of 8: a hole of one pixel in a surface
 
 using Labels = std::span<const uint32_t>;
@@ -151,9 +152,9 @@ LabelRaster rasterise_points(const Cloud& cloud, Labels labels, const Projection
   Extent box = extent_of(cloud, labels, projection, false, task);
   if (box.n == 0) box = extent_of(cloud, labels, projection, true, task);
   LabelRaster out;
-  if (box.n == 0 || !std::isfinite(box.high.u - box.low.u) ||
-      !std::isfinite(box.high.v - box.low.v))
-    return out;
+  const bool is_shown =
+      box.high.u - box.low.u <= kMostExtent_m && box.high.v - box.low.v <= kMostExtent_m;
+  if (box.n == 0 || !is_shown) return out;
   const double spacing = [&] {
     ProgressSpan span(task, 0, 0.3);
     return spacing_of(cloud, projection, box, task);

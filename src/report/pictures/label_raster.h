@@ -39,7 +39,7 @@ struct LabelRaster {
 
 /// Rasterises the points in the box of the segments (of all points when there are none). Noise shows only where no
 /// segment does, so that stray points before a facade do not hide it. At most kMaxPicturePixels pixels; where points
-/// are sparser than pixels they are drawn larger.
+/// are sparser than pixels they are drawn larger. Empty where they spread over more than 1e9 m.
 LabelRaster rasterise_labels(const Segmentation& segmentation, PictureView view, Task& task);
 
 /// The same of any cloud and labels, one a point; label 0 is what noise is.

@@ -99,11 +99,7 @@ void draw_legend(SvgWriter& svg, const Picture& picture) {
   for (const Segment& segment : s.segments) noise -= segment.point_count();
   svg_text(svg, {x, y + 2}, 2.8, Anchor::kStart, "Segments (points)", true);
   y += 4.5;
-  // Points at no place on Earth make a sheet without end: room for all, then.
-  const double room = (box.bottom() - 14 - y) / kRow - 2;
-  const size_t rows = room < static_cast<double>(s.segments.size())
-                          ? static_cast<size_t>(std::max(1.0, room))
-                          : s.segments.size();
+  const size_t rows = static_cast<size_t>(std::max(1.0, (box.bottom() - 14 - y) / kRow - 2));
   for (size_t i = 0; i < std::min(rows, s.segments.size()); ++i, y += kRow)
     swatch(
         svg, x, y, segment_palette()[picture.colours[i]],

@@ -74,6 +74,32 @@ TEST_CASE("code_plan__classes_have_the_colours_of_their_source") {
   CHECK(class_colour(7) == class_colour(10));  // of one's own: three colours in turn
 }
 
+TEST_CASE("code_plan__a_slip_of_the_survey_neither_widens_it_nor_ends_it") {
+  const Segmentation s = coded_house(kCodedHouse);
+  CodedNotes notes = read_coded_notes(s.notes_json);
+  Task task;
+  const std::string whole = code_plan_svg(s, notes, "", task);
+  const auto image = [](const std::string& svg) {
+    return svg.substr(svg.find("<image"), svg.find("/>", svg.find("<image")));
+  };
+  REQUIRE(!notes.objects.empty());
+  for (const double far_m : {1e9, 1e12, 1e300}) {
+    CAPTURE(far_m);
+    NotedObject lost = notes.objects.front();
+    lost.shape = "none", lost.outline.clear(), lost.axis.clear();
+    lost.surveyed.assign(1, {"9", "300", 9, {far_m, 0, 0}});
+    CodedNotes with = notes;
+    with.objects.push_back(lost);
+    const std::string svg = code_plan_svg(s, with, "", task);
+    CHECK(markup::well_formed(svg));
+    CHECK(image(svg).size() > 100);
+    CHECK(svg.size() < 2 * whole.size());
+  }
+  notes.objects.front().shape = "cylinder";  // one without an axis, of bytes that somebody made
+  notes.objects.front().outline.clear(), notes.objects.front().axis.clear();
+  CHECK(markup::well_formed(code_plan_svg(s, notes, "", task)));
+}
+
 TEST_CASE("code_plan__without_objects_shows_the_cloud") {
   const std::string svg = plan_of_house("");
   CHECK(markup::well_formed(svg));

@@ -118,6 +118,16 @@ TEST_CASE("label_raster__spans_the_segments_with_a_rim_and_few_enough_pixels") {
   }
 }
 
+TEST_CASE("label_raster__of_points_at_no_place_on_earth_is_empty") {
+  for (const double far_m : {1e10, 1e160, 1e252}) {
+    CAPTURE(far_m);
+    const LabelRaster raster = seen_from_above({{0, 0, 0}, {far_m, far_m, 0}}, {1, 1});
+    CHECK(raster.labels.empty());
+    CHECK((raster.rows == 0 && raster.columns == 0));
+  }
+  CHECK(!seen_from_above({{0, 0, 0}, {1e8, 1e8, 0}}, {1, 1}).labels.empty());
+}
+
 TEST_CASE("label_raster__of_one_point_or_none_or_noise_alone") {
   CHECK(seen_from_above({}, {}).labels.empty());
   const LabelRaster one = seen_from_above({{7, 8, 9}}, {3});
