@@ -20,15 +20,19 @@ export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1
 for folder in "$root"/tests/fuzz/corpus/*/; do
   [ -d "$folder" ] && mkdir -p "$inputs/$(basename "$folder")" && cp -n "$folder"* "$inputs/$(basename "$folder")/"
 done
+for format in las laz e57; do # small files of others, where they are at hand
+  find "$root/../shared/data/$format" "$root/../shared/data/las" -name "*.$format" -size -64k -exec cp -n {} "$inputs/$format/" \; 2>/dev/null
+done
 [ $# -gt 0 ] || set -- $(JALON_FUZZ_TARGET= "$build/tests/fuzz/jalon_fuzz" 2>&1 | sed -n 's/.*names none of //p')
 
 one() { # one TARGET
   mkdir -p "$inputs/$1" "$found/$1"
   JALON_FUZZ_TARGET=$1 "$build/tests/fuzz/jalon_fuzz" -max_total_time="$seconds" -max_len=65536 -rss_limit_mb=2048 -timeout=10 \
     -print_final_stats=1 -artifact_prefix="$found/$1/" "$inputs/$1" >"$found/$1.log" 2>&1
-  local status=$? runs
+  local status=$? runs reached
   runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$found/$1.log")
-  echo "FIGURE fuzzing $1: ${runs:-0} inputs in $seconds s, $(find "$found/$1" -type f | wc -l) findings"
+  reached=$(sed -n 's/.* cov: \([0-9]*\) .*/\1/p' "$found/$1.log" | tail -n 1)
+  echo "FIGURE fuzzing $1: ${runs:-0} inputs in $seconds s reach ${reached:-0} branches, $(find "$found/$1" -type f | wc -l) findings"
   if [ $status -eq 0 ]; then echo "ok - fuzzing $1"; else
     echo "not ok - fuzzing $1"
     grep -E "ERROR|SUMMARY|runtime error|status [0-9]" "$found/$1.log" | head -n 4

@@ -46,6 +46,7 @@ constexpr Target kTargets[] = {
     {"smrmsg", read_smrmsg},
     {"m3c2_file", read_m3c2_file},
     {"bytes", read_objects, mend_object},
+    {"clouds", run_clouds, mend_cloud},
     {"cloud_writers", write_clouds, mend_cloud},
     {"model_writers", write_models, mend_model},
     {"params", read_params},

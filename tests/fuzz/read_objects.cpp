@@ -31,6 +31,7 @@ void to_file(const char* extension, const Write& write) {
   const std::string path = place_of(extension);
   succeeds(write(path.c_str()));
   ::unlink(path.c_str());
+  ::unlink(place_of("stations.json").c_str());  // what some formats have no place for
 }
 
 void use(const jalon_cloud* cloud) {

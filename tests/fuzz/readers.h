@@ -26,6 +26,8 @@ void mend_pages(std::string& bytes);
 
 // Bytes of objects (read_objects.cpp). The first byte tells of which kind, or the format that they are written in.
 void read_objects(const uint8_t* data, size_t size);
+/// An operation of clouds, or a method of segmenting; the first byte tells which.
+void run_clouds(const uint8_t* data, size_t size);
 void write_clouds(const uint8_t* data, size_t size);
 void write_models(const uint8_t* data, size_t size);
 /// Kind, length and checksum of the header behind the first byte.

@@ -88,6 +88,8 @@ static void write_clouds(void) {
     jalon_bytes* bytes = NULL;
     MUST(jalon_cloud_to_bytes(cloud, NULL, &bytes));
     put_to_write("cloud_writers", (int)(sizeof formats / sizeof *formats), rich, bytes);
+    enum { kOperations = 16 }; /* of run_clouds.cpp, methods of segmenting after them */
+    put_to_write("clouds", kOperations, rich, bytes);
     put_bytes(0, rich ? "cloud_rich" : "cloud", bytes);
     jalon_fields* fields = NULL;
     MUST(jalon_cloud_fields(cloud, &fields));
