@@ -16,6 +16,7 @@ cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Debug "-DCMAKE_CXX_FLAG
   -DJALON_SANITIZE=address,undefined >"$build.log" 2>&1 && ninja -C "$build" jalon_fuzz fuzz_seeds >>"$build.log" 2>&1 ||
   { tail -n 30 "$build.log"; echo "0 passed, 1 failed, 0 skipped"; exit 1; }
 export ASAN_OPTIONS=detect_leaks=1:allocator_may_return_null=1
+mkdir -p "$found"
 "$build/tests/fuzz/fuzz_seeds" "$inputs" || exit 1
 for folder in "$root"/tests/fuzz/corpus/*/; do
   [ -d "$folder" ] && mkdir -p "$inputs/$(basename "$folder")" && cp -n "$folder"* "$inputs/$(basename "$folder")/"

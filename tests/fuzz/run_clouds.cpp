@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-// What is done with clouds that nobody has measured: points in one place or at the end of all numbers, fields of any kind.
+// What is done with clouds that nobody has measured: points in one place or at the end of all numbers.
 #include <iterator>
 
 #include "harness.h"
