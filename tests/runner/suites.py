@@ -123,7 +123,7 @@ def full_suites():
                packages=["maven"]),
         script("bindings_asan", "tests/bindings/python_asan.sh", ["bindings"], full=True),
         script("clang", "tests/install/clang.sh", ["bits"], full=True, packages=["clang-14", "clang-19"]),
-        script("fuzz", "tests/fuzz/fuzz.sh", [], ["600"], full=True, packages=["clang-14"]),
+        script("fuzz", "tests/fuzz/fuzz.sh", [], ["300"], full=True, packages=["clang-14"]),
         script("mingw", "tests/install/mingw.sh", [], [], full=True, packages=["g++-mingw-w64-x86-64-posix", "wine64"]),
         script("viewer", "tests/viewer/check.py", ["jalon_cli"], full=True, packages=["chromium"]),
         script("static", "tests/install/static.sh", [], [], full=True),
