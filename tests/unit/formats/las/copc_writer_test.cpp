@@ -56,8 +56,9 @@ Cloud by_id(const Cloud& cloud) {
 
 void check_same_bits(const Cloud& a, const Cloud& b) {
   REQUIRE(a.size() == b.size());
-  CHECK(std::memcmp(a.xyz().data(), b.xyz().data(), b.xyz().size_bytes()) == 0);
   REQUIRE(a.fields.size() == b.fields.size());
+  if (b.size() == 0) return;
+  CHECK(std::memcmp(a.xyz().data(), b.xyz().data(), b.xyz().size_bytes()) == 0);
   for (const ColumnPtr& column : b.fields) {
     CAPTURE(column->info().name);
     const Column& other = a.fields.require(column->info().name);
