@@ -19,6 +19,9 @@ int32_t jc_laz_chunks(const uint8_t*, uint64_t, int32_t, uint64_t*, uint64_t*, u
                       JcMessage) {
   return 1;
 }
+int32_t jc_laz_check(const uint8_t*, uint64_t, const uint8_t*, uint64_t, uint64_t, JcMessage) {
+  return 1;
+}
 int32_t jc_laz_decode(const uint8_t*, uint64_t, const uint8_t*, uint64_t, uint8_t*, uint64_t,
                       JcMessage) {
   return 1;

@@ -43,6 +43,9 @@ int32_t jc_laz_layout(const uint8_t* vlr, uint64_t vlr_bytes, JcLazLayout* out, 
 /// as many entries as the table says.
 int32_t jc_laz_chunks(const uint8_t* table, uint64_t table_bytes, int32_t variable,
                       uint64_t* counts, uint64_t* sizes, uint64_t room, JcMessage message);
+/// Whether a chunk holds so many points, which are not kept.
+int32_t jc_laz_check(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* packed,
+                     uint64_t packed_bytes, uint64_t points, JcMessage message);
 /// One chunk: fills out with whole records.
 int32_t jc_laz_decode(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* packed,
                       uint64_t packed_bytes, uint8_t* out, uint64_t out_bytes, JcMessage message);

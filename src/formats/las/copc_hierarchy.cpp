@@ -35,20 +35,19 @@ class Hierarchy {
       read_page(page, task);
     }
     std::ranges::sort(chunks_, {}, &LazChunk::offset);
-    uint64_t points = 0, bytes = 0;
+    uint64_t points = 0;
     for (size_t i = 0; i < chunks_.size(); ++i) {
       LazChunk& chunk = chunks_[i];
       if (i != 0 && chunks_[i - 1].offset + chunks_[i - 1].bytes > chunk.offset)
         source_.refuse(chunk.offset, "two nodes of the octree share these points");
       chunk.first = points;
       points += chunk.points;
-      bytes += chunk.bytes;
     }
-    if (points > header_.count || !can_stand_for(bytes, points))
+    if (points > header_.count)
       source_.refuse(info_.page_offset,
                      "the nodes of the hierarchy have %llu points: more than the file, which has "
-                     "%llu, or than their %llu bytes stand for",
-                     whole(points), whole(header_.count), whole(bytes));
+                     "%llu",
+                     whole(points), whole(header_.count));
     return std::move(chunks_);
   }
 

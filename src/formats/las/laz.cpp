@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/parallel.h"
 #include "formats/codecs/codecs.h"
 #include "formats/files/endian.h"
 
@@ -14,9 +15,14 @@ namespace {
 constexpr const char* kLazUser = "laszip encoded";
 constexpr unsigned kLazRecord = 22204;
 constexpr size_t kTableHead = 8;  // of the chunk table: version and number of chunks
-// Points that a byte may stand for, above one chunk of the usual size: scanners' files have less
-// than one. More is a count that lies.
-constexpr uint64_t kPointsPerByte = 64, kUsualChunk = 65536;
+// Points that a byte may stand for, above one chunk of the usual size. Scanners' files have less than
+// one, and up to the first number none is asked about; equal points come to some 400. The coder's most
+// likely symbols cost 3.5e-4 bits, a point a few of them: beyond the second a count lies.
+constexpr uint64_t kTrustedPerByte = 64, kMostPerByte = 4096, kUsualChunk = 65536;
+
+bool may_stand_for(uint64_t bytes, uint64_t points, uint64_t points_per_byte) {
+  return points <= kUsualChunk || (points - kUsualChunk) / points_per_byte <= bytes;
+}
 
 /// A line that a decoder leaves.
 struct Line {
@@ -30,21 +36,12 @@ const uint8_t* bytes_of(const std::vector<std::byte>& bytes) {
 
 }  // namespace
 
-bool can_stand_for(uint64_t bytes, uint64_t points) {
-  return points <= kUsualChunk || (points - kUsualChunk) / kPointsPerByte <= bytes;
-}
-
 LazPoints::LazPoints(const ByteSource& source, const Header& header,
                      const std::vector<Record>& vlrs)
     : source_(source), header_(header) {
   const Layout layout = read_layout(vlrs);
   if (header.count == 0) return;
   const uint64_t packed = source.size() - header.point_offset;
-  if (!can_stand_for(packed, header.count))
-    source.refuse(header.point_offset,
-                  "the header promises %llu points, more than %llu compressed bytes stand for",
-                  static_cast<unsigned long long>(header.count),
-                  static_cast<unsigned long long>(packed));
   if (layout.has_chunks) {
     read_table(layout.chunk_points);
     number_points(layout.chunk_points);
@@ -137,9 +134,26 @@ void LazPoints::number_points(uint64_t chunk_points) {
                    static_cast<unsigned long long>(header_.count));
 }
 
-std::unique_ptr<std::byte[]> LazPoints::decode(size_t number) const {
+void LazPoints::require_points(Task& task) const {
+  uint64_t bytes = 0;
+  for (const LazChunk& chunk : chunks_) bytes += chunk.bytes;
+  if (!may_stand_for(bytes, count(), kMostPerByte))
+    source_.refuse(
+        header_.point_offset, "%llu points are promised, more than %llu compressed bytes stand for",
+        static_cast<unsigned long long>(count()), static_cast<unsigned long long>(bytes));
+  if (may_stand_for(bytes, count(), kTrustedPerByte)) return;
+  parallel_chunks(task, chunks_.size(), [&](size_t c) {
+    Line line;
+    if (has_failed(jc_laz_check(bytes_of(vlr_), vlr_.size(),
+                                reinterpret_cast<const uint8_t*>(packed(c).get()), chunks_[c].bytes,
+                                chunks_[c].points, line.message())))
+      source_.refuse(chunks_[c].offset, "chunk %zu of the compressed points: %s", c + 1, line.text);
+  });
+}
+
+std::unique_ptr<std::byte[]> LazPoints::packed(size_t number) const {
   const LazChunk& chunk = chunks_[number];
-  const auto packed = std::make_unique_for_overwrite<std::byte[]>(chunk.bytes);
+  auto packed = std::make_unique_for_overwrite<std::byte[]>(chunk.bytes);
   source_.read(chunk.offset, packed.get(), chunk.bytes);
   if (checks_counts_) {  // layered chunks: the first point, then the number of points
     const size_t count_at = header_.record_bytes;
@@ -147,11 +161,17 @@ std::unique_ptr<std::byte[]> LazPoints::decode(size_t number) const {
       source_.refuse(chunk.offset, "the chunk is not one of the %llu points promised",
                      static_cast<unsigned long long>(chunk.points));
   }
+  return packed;
+}
+
+std::unique_ptr<std::byte[]> LazPoints::decode(size_t number) const {
+  const LazChunk& chunk = chunks_[number];
+  const auto from = packed(number);
   const size_t bytes = chunk.points * header_.record_bytes;
   auto records = std::make_unique_for_overwrite<std::byte[]>(bytes);
   Line line;
   if (has_failed(jc_laz_decode(bytes_of(vlr_), vlr_.size(),
-                               reinterpret_cast<const uint8_t*>(packed.get()), chunk.bytes,
+                               reinterpret_cast<const uint8_t*>(from.get()), chunk.bytes,
                                reinterpret_cast<uint8_t*>(records.get()), bytes, line.message())))
     source_.refuse(chunk.offset, "chunk %zu of the compressed points: %s", number + 1, line.text);
   return records;

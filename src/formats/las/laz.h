@@ -6,6 +6,7 @@
 #include <memory>
 #include <vector>
 
+#include "base/task.h"
 #include "formats/files/byte_source.h"
 #include "formats/las/layout.h"
 
@@ -15,19 +16,18 @@ namespace jalon::las {
 struct LazChunk {
   uint64_t offset = 0, bytes = 0, first = 0, points = 0;
 };
-/// Whether so many compressed bytes may be a chunk, or several, of so many points.
-bool can_stand_for(uint64_t bytes, uint64_t points);
-
 /// The compressed points of a LAZ file: chunks, each decoded by itself.
 class LazPoints {
  public:
-  /// Finds the chunks; refuses tables that the file has no room for, and more points than its
-  /// compressed bytes can stand for.
+  /// Finds the chunks; refuses tables that the file has no room for.
   LazPoints(const ByteSource& source, const Header& header, const std::vector<Record>& vlrs);
   /// Those chunks alone that somebody found already.
   LazPoints(const ByteSource& source, const Header& header, const std::vector<Record>& vlrs,
             std::vector<LazChunk> found);
 
+  /// Before anything is made for them: refuses more points than the chunks hold. Where they promise
+  /// more than scanners' files do a byte, they are decoded to see.
+  void require_points(Task& task) const;
   /// Of the points of all chunks.
   uint64_t count() const {
     return chunks_.empty() ? 0 : chunks_.back().first + chunks_.back().points;
@@ -49,6 +49,7 @@ class LazPoints {
   uint64_t find_table() const;
   void read_table(uint64_t chunk_points);
   void number_points(uint64_t chunk_points);
+  std::unique_ptr<std::byte[]> packed(size_t chunk) const;
   const ByteSource& source_;
   const Header& header_;
   std::vector<std::byte> vlr_;

@@ -230,7 +230,10 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
   const LengthUnits units = units_to_use(vlrs, evlrs, source, settings.unit, task);
   const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
   std::optional<LazPoints> laz;
-  if (header.compressed) laz.emplace(packed_points(source, header, vlrs, unit, settings, task));
+  if (header.compressed) {
+    laz.emplace(packed_points(source, header, vlrs, unit, settings, task));
+    laz->require_points(task);
+  }
 
   const size_t count = laz ? laz->count() : header.count;
   const size_t core = point_format(header.format)->bytes;

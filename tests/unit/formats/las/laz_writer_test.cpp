@@ -126,3 +126,29 @@ TEST_CASE("laz_writer__without_the_component_the_line_says_what_to_install") {
   }
   CHECK(folder.entries() == 0);
 }
+
+// One place again and again: hundreds of points a byte, which no scanner's file has.
+TEST_CASE("laz_writer__equal_points_come_back_and_no_more_than_there_are") {
+  if (skipped()) return;
+  constexpr size_t kPoints = 280000, kInChunk = 50000;
+  Buffer<double> xyz(3 * kPoints);
+  for (size_t i = 0; i < xyz.size(); ++i) xyz[i] = 1 + static_cast<double>(i % 3);
+  const Cloud cloud = make_cloud(std::move(xyz));
+  Task task;
+  for (const char* name : {"a.laz", "a.copc.laz"}) {
+    CAPTURE(name);
+    const std::string bytes = bytes_of(cloud, name);
+    REQUIRE(bytes.size() * 64 < kPoints);
+    const OpenedFile file(bytes, name);
+    const Cloud again = read_las(file, {}, task);
+    REQUIRE(again.size() == kPoints);
+    CHECK(again.point(kPoints - 1) == Vec3{1, 2, 3});
+  }
+  std::string lying = bytes_of(cloud, "a.laz");
+  const uint64_t place = lying[25] == 4 ? 247 : 107;  // minor version; the number of points
+  store<uint32_t>(lying.data() + place, 6 * kInChunk);
+  const OpenedFile file(lying, "a.laz");
+  const Failure failure = failure_of([&] { read_las(file, {}, task); });
+  CHECK(failure.status == Status::kFormat);
+  CHECK(has_text(failure.text, "chunk 6 of the compressed points"));
+}

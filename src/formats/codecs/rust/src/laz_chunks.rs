@@ -123,6 +123,30 @@ fn check_layers(vlr: &LazVlr, packed: &[u8], record_bytes: usize) -> Result<(), 
     Ok(())
 }
 
+/// Does the chunk hold so many points? None of them is kept.
+#[no_mangle]
+pub unsafe extern "C" fn jc_laz_check(
+    vlr: *const u8,
+    vlr_bytes: u64,
+    packed: *const u8,
+    packed_bytes: u64,
+    points: u64,
+    message: Message,
+) -> i32 {
+    silence_panics();
+    guarded(&message, || {
+        let vlr = vlr_of(vlr, vlr_bytes)?;
+        let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
+        let mut point = vec![0; record_bytes_of(&vlr)];
+        with_decoder(&vlr, packed, |decoder| {
+            for _ in 0..points {
+                decoder.decompress_next(&mut point).map_err(|e| e.to_string())?;
+            }
+            Ok(())
+        })
+    })
+}
+
 /// Fills `out` with whole records.
 #[no_mangle]
 pub unsafe extern "C" fn jc_laz_decode(
@@ -137,32 +161,34 @@ pub unsafe extern "C" fn jc_laz_decode(
     silence_panics();
     guarded(&message, || {
         let vlr = vlr_of(vlr, vlr_bytes)?;
-        let record_bytes = record_bytes_of(&vlr);
         let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
         let out = std::slice::from_raw_parts_mut(out, out_bytes as usize);
-        let cursor = Cursor::new(packed);
-        let layered = vlr.items()[0].version() >= 3;
-        if layered {
-            check_layers(&vlr, packed, record_bytes)?;
-            fill(LayeredPointRecordDecompressor::new(cursor), &vlr, record_bytes, out)
-        } else {
-            fill(SequentialPointRecordDecompressor::new(cursor), &vlr, record_bytes, out)
-        }
+        with_decoder(&vlr, packed, |decoder| {
+            for point in out.chunks_exact_mut(record_bytes_of(&vlr)) {
+                decoder.decompress_next(point).map_err(|e| e.to_string())?;
+            }
+            Ok(())
+        })
     })
 }
 
-fn fill<'a>(
-    mut decoder: impl RecordDecompressor<Cursor<&'a [u8]>>,
+/// Gives `work` the decoder of a chunk, ready for its first point.
+fn with_decoder(
     vlr: &LazVlr,
-    record_bytes: usize,
-    out: &mut [u8],
+    packed: &[u8],
+    work: impl FnOnce(&mut dyn RecordDecompressor<Cursor<&[u8]>>) -> Result<(), String>,
 ) -> Result<(), String> {
+    let record_bytes = record_bytes_of(vlr);
+    let cursor = Cursor::new(packed);
+    let mut decoder: Box<dyn RecordDecompressor<Cursor<&[u8]>>> = if vlr.items()[0].version() >= 3 {
+        check_layers(vlr, packed, record_bytes)?;
+        Box::new(LayeredPointRecordDecompressor::new(cursor))
+    } else {
+        Box::new(SequentialPointRecordDecompressor::new(cursor))
+    };
     decoder.set_fields_from(vlr.items()).map_err(|e| e.to_string())?;
     if record_bytes == 0 || decoder.record_size() != record_bytes {
         return Err("the items of the compressor have other sizes than their kinds".to_owned());
     }
-    for point in out.chunks_exact_mut(record_bytes) {
-        decoder.decompress_next(point).map_err(|e| e.to_string())?;
-    }
-    Ok(())
+    work(decoder.as_mut())
 }
