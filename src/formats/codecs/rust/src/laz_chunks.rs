@@ -137,13 +137,7 @@ pub unsafe extern "C" fn jc_laz_check(
     guarded(&message, || {
         let vlr = vlr_of(vlr, vlr_bytes)?;
         let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
-        let mut point = vec![0; record_bytes_of(&vlr)];
-        with_decoder(&vlr, packed, |decoder| {
-            for _ in 0..points {
-                decoder.decompress_next(&mut point).map_err(|e| e.to_string())?;
-            }
-            Ok(())
-        })
+        decode(&vlr, packed, Wanted::Count(points))
     })
 }
 
@@ -163,32 +157,44 @@ pub unsafe extern "C" fn jc_laz_decode(
         let vlr = vlr_of(vlr, vlr_bytes)?;
         let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
         let out = std::slice::from_raw_parts_mut(out, out_bytes as usize);
-        with_decoder(&vlr, packed, |decoder| {
-            for point in out.chunks_exact_mut(record_bytes_of(&vlr)) {
-                decoder.decompress_next(point).map_err(|e| e.to_string())?;
-            }
-            Ok(())
-        })
+        decode(&vlr, packed, Wanted::Records(out))
     })
 }
 
-/// Gives `work` the decoder of a chunk, ready for its first point.
-fn with_decoder(
-    vlr: &LazVlr,
-    packed: &[u8],
-    work: impl FnOnce(&mut dyn RecordDecompressor<Cursor<&[u8]>>) -> Result<(), String>,
-) -> Result<(), String> {
+enum Wanted<'a> {
+    Records(&'a mut [u8]),
+    Count(u64),
+}
+
+fn decode(vlr: &LazVlr, packed: &[u8], wanted: Wanted) -> Result<(), String> {
     let record_bytes = record_bytes_of(vlr);
     let cursor = Cursor::new(packed);
-    let mut decoder: Box<dyn RecordDecompressor<Cursor<&[u8]>>> = if vlr.items()[0].version() >= 3 {
+    if vlr.items()[0].version() >= 3 {
         check_layers(vlr, packed, record_bytes)?;
-        Box::new(LayeredPointRecordDecompressor::new(cursor))
+        run(LayeredPointRecordDecompressor::new(cursor), vlr, record_bytes, wanted)
     } else {
-        Box::new(SequentialPointRecordDecompressor::new(cursor))
-    };
+        run(SequentialPointRecordDecompressor::new(cursor), vlr, record_bytes, wanted)
+    }
+}
+
+fn run<'a>(
+    mut decoder: impl RecordDecompressor<Cursor<&'a [u8]>>,
+    vlr: &LazVlr,
+    record_bytes: usize,
+    wanted: Wanted,
+) -> Result<(), String> {
     decoder.set_fields_from(vlr.items()).map_err(|e| e.to_string())?;
     if record_bytes == 0 || decoder.record_size() != record_bytes {
         return Err("the items of the compressor have other sizes than their kinds".to_owned());
     }
-    work(decoder.as_mut())
+    match wanted {
+        Wanted::Records(out) => out
+            .chunks_exact_mut(record_bytes)
+            .try_for_each(|point| decoder.decompress_next(point)),
+        Wanted::Count(points) => {
+            let mut point = vec![0; record_bytes];
+            (0..points).try_for_each(|_| decoder.decompress_next(&mut point))
+        }
+    }
+    .map_err(|e| e.to_string())
 }
