@@ -48,7 +48,7 @@ ELSEWHERE = {
     "As everywhere, unpickle only what you trust;": "tests/capi/bytes_test.c",
     "Other Python threads run": "tests/bindings/python/calls_test.py",
     "A call uses all processors;": "tests/scenarios/bits.sh",
-    "With `memory_limit=2**30`": "python__a_memory_limit_ends_a_call_and_tells_what_it_had",
+    "With `memory_limit=2**30`": "tests/bindings/python/calls_test.py",
     "Looking at one object": "tests/capi/threads_test.c",
     "`progress=` is a callable": "tests/bindings/python/calls_test.py",
     "An exception in it cancels": "tests/bindings/python/calls_test.py",
