@@ -23,7 +23,7 @@ void release_the_living(void);
 #define LIVING(kind)                                                                      \
   static kind* alive_##kind[kMostAlive];                                                  \
   static uint32_t count_##kind;                                                           \
-  static inline kind* drawn_##kind(kind* fixture) {                                       \
+  __attribute__((unused)) static inline kind* drawn_##kind(kind* fixture) {               \
     return count_##kind > 0 && draw(3) != 0 ? alive_##kind[draw(count_##kind)] : fixture; \
   }                                                                                       \
   static inline void give_back_##kind(uint32_t i) {                                       \
