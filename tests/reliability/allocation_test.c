@@ -6,11 +6,12 @@
 #include "operations.h"
 
 #include "allocation_jobs.h"
+
+#ifndef CANNOT_REPLACE_MALLOC
+
 #include "file_jobs.h"
 
 enum { kShallow = 8, kDeep = 200, kOperationPoints = 2500 };
-
-#ifndef CANNOT_REPLACE_MALLOC
 
 static jalon_cloud* small;
 static io_job files[kMostJobs];
