@@ -3,6 +3,8 @@
 /* What a task counts of the memory of its calls; tests/reliability/memory_limit_test.c has all operations. */
 #include "support.h"
 
+#include "memory_counted.h"
+
 enum { kPoints = 20000 };
 
 static jalon_task* counting(uint64_t limit, uint32_t threads) {
@@ -96,14 +98,7 @@ static void memory__limits_are_set_between_calls(void** state) {
 }
 
 int main(void) {
-  jalon_task* probe = NULL;
-  MUST(jalon_task_create(&probe));
-  const jalon_status counted = jalon_task_set_memory_limit(probe, 1);
-  jalon_task_release(probe);
-  if (counted == JALON_ERROR_UNSUPPORTED) {
-    printf("skipped: %s\n", jalon_last_error_message());
-    return 77;
-  }
+  if (!is_memory_counted()) return 77;
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(memory__is_counted_where_there_is_a_limit_and_the_limit_stays),
       cmocka_unit_test(memory__of_all_threads_of_a_call_is_counted),

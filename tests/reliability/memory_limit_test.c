@@ -5,6 +5,7 @@
 #include "operations.h"
 
 #include "file_jobs.h"
+#include "memory_counted.h"
 
 enum {
   kOperationPoints = 2000,
@@ -143,14 +144,7 @@ static int end(void** state) {
 }
 
 int main(void) {
-  jalon_task* probe = NULL;
-  MUST(jalon_task_create(&probe));
-  const jalon_status counted = jalon_task_set_memory_limit(probe, 1);
-  jalon_task_release(probe);
-  if (counted == JALON_ERROR_UNSUPPORTED) {
-    printf("skipped: %s\n", jalon_last_error_message());
-    return 77;
-  }
+  if (!is_memory_counted()) return 77;
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(memory_limit__below_what_a_call_needs_is_refused_in_words),
       cmocka_unit_test(memory_limit__is_kept_by_the_process)};
