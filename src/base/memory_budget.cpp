@@ -14,11 +14,16 @@ namespace {
 
 constexpr double kMebibyte = 0x1p20;
 
-// A thread's variable costs a call in a shared library: it is looked at only while there are budgets at all.
-std::atomic<int> budgets_in_use{0};
-constinit thread_local MemoryBudget* of_this_thread = nullptr;
+constinit thread_local MemoryBudget* own_budget = nullptr;
 
 }  // namespace
+
+namespace budgets {
+
+std::atomic<int> in_use{0};
+MemoryBudget* of_this_thread() noexcept { return own_budget; }
+
+}  // namespace budgets
 
 MemoryBudget::MemoryBudget(uint64_t limit_bytes)
     : limit_(static_cast<int64_t>(
@@ -51,18 +56,14 @@ void MemoryBudget::fail_refused() const {
        mebibytes(limit_).c_str());
 }
 
-MemoryBudget* current_budget() noexcept {
-  return budgets_in_use.load(std::memory_order_relaxed) == 0 ? nullptr : of_this_thread;
-}
-
-BudgetScope::BudgetScope(MemoryBudget* budget) noexcept : own_(budget), before_(of_this_thread) {
-  if (own_ != nullptr) budgets_in_use.fetch_add(1);
-  of_this_thread = own_;
+BudgetScope::BudgetScope(MemoryBudget* budget) noexcept : own_(budget), before_(own_budget) {
+  if (own_ != nullptr) budgets::in_use.fetch_add(1);
+  own_budget = own_;
 }
 
 BudgetScope::~BudgetScope() {
-  of_this_thread = before_;
-  if (own_ != nullptr) budgets_in_use.fetch_sub(1);
+  own_budget = before_;
+  if (own_ != nullptr) budgets::in_use.fetch_sub(1);
 }
 
 }  // namespace jalon

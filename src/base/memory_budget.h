@@ -36,8 +36,17 @@ class MemoryBudget {
   std::atomic<bool> is_lifted_{false};
 };
 
-/// That of this thread, or NULL. Quick where no thread has one.
-MemoryBudget* current_budget() noexcept;
+namespace budgets {
+// A thread's variable costs a call in a shared library, and each allocation asks: it is looked at only while there are
+// budgets at all.
+extern std::atomic<int> in_use;
+MemoryBudget* of_this_thread() noexcept;
+}  // namespace budgets
+
+/// That of this thread, or NULL.
+inline MemoryBudget* current_budget() noexcept {
+  return budgets::in_use.load(std::memory_order_relaxed) == 0 ? nullptr : budgets::of_this_thread();
+}
 
 /// While it lives this thread's allocations are the budget's; NULL: nobody's.
 class BudgetScope {
