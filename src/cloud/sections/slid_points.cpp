@@ -17,8 +17,8 @@ constexpr double kSlideCells = 2;     // thicknesses: so that a lean shows besid
 constexpr uint64_t kSlideLeast = 12;  // points of a plane
 // Of the tolerance, which is four sigma of the points: what one surface leaves at most (rms).
 constexpr double kSurfaceShare = 0.35;
-constexpr int64_t kFarCells =
-    2;  // by corners the planes next to a point have another surface in them
+// Reached for where the planes next to a point, by a corner, have another surface in them.
+constexpr int64_t kFarCells = 2;
 constexpr double kLeanSigmas = 4;   // below them the lean is that of the noise
 constexpr double kFlattest = 0.94;  // |cosine| of 20 degrees to the section: a face, not a line
 constexpr double kFarthestCell = 0x1p60;  // beyond, doubles tell no neighbours apart

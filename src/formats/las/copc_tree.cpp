@@ -23,8 +23,8 @@ constexpr size_t kLeastPoints = 100;    // a child of fewer is no node: its chun
 constexpr int kLastLevel = kMaxLevel - kGridLevels;  // beyond it the octree knows no cells
 constexpr int kGridBits = 31;                        // of the octree's coordinates
 constexpr double kGridEdge = 0x1p31;
-constexpr size_t kGrain = size_t{1}
-                          << 16;  // points between two looks at the cancel flag, and of a chunk
+// Points between two looks at the cancel flag, and of a chunk.
+constexpr size_t kGrain = size_t{1} << 16;
 
 /// A node's points before it has chosen.
 struct Run {

@@ -106,5 +106,35 @@ TEST_CASE("sections__at_an_angle_to_walls_have_one_line_and_four_corners") {
   }
 }
 
+TEST_CASE("sections__at_an_angle_to_walls_stay_under_jitter_rounding_order_and_grid") {
+  Task task;
+  SectionSettings settings;
+  settings.direction = {1, 0, 0};
+  settings.at_m = {0.5};
+  const std::vector<Vec3> room = turned_room(2, 25);
+  const auto outline_of = [&](std::vector<Vec3> points) {
+    const Sections sections = cut_sections(cloud_of(points), {}, settings, task);
+    REQUIRE(sections.sections[0].lines.size() == 1);
+    CHECK(sections.sections[0].lines[0].is_closed);
+    REQUIRE(sections.sections[0].lines[0].vertices.size() == 4);
+    return sections.sections[0].lines[0].vertices;
+  };
+  const auto as_it_is = outline_of(room);
+  std::vector<Vec3> jittered = room, rounded = room, reversed(room.rbegin(), room.rend()),
+                    on_grid = room;
+  RandomStream random(2, 20);
+  for (size_t i = 0; i < room.size(); ++i)
+    for (int k = 0; k < 3; ++k) {
+      jittered[i][k] += 0.0003 * random.normal();
+      rounded[i][k] = std::round(room[i][k] * 1000) / 1000;
+      on_grid[i][k] += k == 0 ? 652000 : k == 1 ? 6862000 : 100;
+    }
+  CHECK(outline_of(reversed) == as_it_is);
+  outline_of(jittered);
+  outline_of(rounded);
+  settings.at_m = {652000.5};
+  outline_of(on_grid);
+}
+
 }  // namespace
 }  // namespace jalon
