@@ -132,20 +132,23 @@ static inline jalon_status diagnose(const struct both_ways* both, jalon_task* ta
   jalon_params_release(options);
   return status;
 }
+/* Of a thread its own; what it keeps is released by forget_both_ways, or with the process. */
+static __thread struct both_ways kept_both_ways;
+static inline void forget_both_ways(void) { release_both(&kept_both_ways); }
 static inline jalon_status compare_both_ways(const jalon_cloud* cloud,
                                              const struct both_ways** out) {
-  static struct both_ways both;
-  *out = &both;
-  if (both.changes != NULL && both.of == cloud) return JALON_OK;
-  release_both(&both);
-  both.of = jalon_cloud_retain((jalon_cloud*)cloud);
-  jalon_status status = changed_copy(cloud, &both.changed);
+  struct both_ways* both = &kept_both_ways;
+  *out = both;
+  if (both->changes != NULL && both->of == cloud) return JALON_OK;
+  release_both(both);
+  both->of = jalon_cloud_retain((jalon_cloud*)cloud);
+  jalon_status status = changed_copy(cloud, &both->changed);
   if (status == JALON_OK)
-    status = compare_by("distance", "{}", cloud, both.changed, NULL, &both.forward);
+    status = compare_by("distance", "{}", cloud, both->changed, NULL, &both->forward);
   if (status == JALON_OK)
-    status = compare_by("distance", "{}", both.changed, cloud, NULL, &both.reverse);
+    status = compare_by("distance", "{}", both->changed, cloud, NULL, &both->reverse);
   if (status == JALON_OK)
-    status = diagnose(&both, NULL, &both.forward_points, &both.reverse_points, &both.changes);
+    status = diagnose(both, NULL, &both->forward_points, &both->reverse_points, &both->changes);
   return status;
 }
 /* What is asked of one comparison, whatever made it. */

@@ -85,6 +85,7 @@ def release_suites():
         script("cli", "tests/scenarios/cli.sh", ["jalon_cli"], [tool]),
         script("cli_stations", "tests/scenarios/cli_stations.sh", ["jalon_cli"], [tool]),
         script("cli_mistakes", "tests/scenarios/cli_mistakes.sh", ["jalon_cli"], [tool]),
+        script("cli_names", "tests/scenarios/hostile_names.py", ["jalon_cli"], [tool]),
         script("cli_facades", "tests/scenarios/cli_facades.sh", ["jalon_cli"], [tool]),
         script("malformed", "tests/fuzz/malformed.sh", ["malformed_files"]),
         script("hardening", "tests/reliability/hardening.sh", ["jalon", "jalon_cli"]),
@@ -113,7 +114,7 @@ def sanitized_suites():
         script("asan/malformed", "tests/fuzz/malformed.sh", ["malformed_files"], build="asan"),
         script("asan/replay", "tests/fuzz/replay.sh", ["fuzz_replay"], build="asan")]
     asan += [program(name, "asan", full=True) for name in unit_programs()]
-    tsan = [program(name, "tsan") for name in THREADED + ["capi_threads_test", "capi_search_test"]]
+    tsan = [program(name, "tsan") for name in THREADED + ["capi_threads_test", "capi_threads_operations_test", "capi_search_test"]]
     return asan + tsan + [program(name, "tsan", full=True) for name in THREADED_FULL]
 
 
@@ -124,6 +125,8 @@ def full_suites():
         script("bindings_asan", "tests/bindings/python_asan.sh", ["bindings"], full=True),
         script("clang", "tests/install/clang.sh", ["bits"], full=True, packages=["clang-14", "clang-19"]),
         script("fuzz", "tests/fuzz/fuzz.sh", [], ["300"], full=True, packages=["clang-14"]),
+        script("reproducible", "tests/install/reproducible.sh", ["jalon", "jalon_cli"], full=True),
+        script("valgrind", "tests/reliability/valgrind.sh", ["c_tests"], full=True, packages=["valgrind"]),
         script("mingw", "tests/install/mingw.sh", [], [], full=True, packages=["g++-mingw-w64-x86-64-posix", "wine64"]),
         script("viewer", "tests/viewer/check.py", ["jalon_cli"], full=True, packages=["chromium"]),
         script("static", "tests/install/static.sh", [], [], full=True),

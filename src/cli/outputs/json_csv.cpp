@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/outputs/json_csv.h"
 
+#include <charconv>
+#include <string_view>
+
 #include <nlohmann/json.hpp>
 
 namespace jalon::cli {
@@ -15,11 +18,23 @@ std::string cell_of(const Json& value) {
   return value.is_string() ? csv_cell(value.get<std::string>()) : value.dump();
 }
 
+// What a spreadsheet computes instead of showing it; numbers are shown.
+bool is_formula(const std::string& text) {
+  if (text.empty() || std::string_view("=+-@\t\r").find(text[0]) == std::string_view::npos)
+    return false;
+  const char* first = text.data() + (text[0] == '+' ? 1 : 0);
+  const char* last = text.data() + text.size();
+  double number = 0;
+  const auto read = std::from_chars(first, last, number);
+  return read.ec != std::errc() || read.ptr != last;
+}
+
 }  // namespace
 
 std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string out = "\"";
+  const std::string mark = is_formula(text) ? "'" : "";
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return mark + text;
+  std::string out = "\"" + mark;
   for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
   return out + "\"";
 }
