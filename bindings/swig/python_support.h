@@ -116,15 +116,9 @@ class Text {
   PyObject* bytes_ = nullptr;
 };
 
-/** The callables of a task. */
+/** The callables of a task, which whoever makes a call with it keeps: Python's task, where its collector sees them. */
 struct Callbacks {
   PyObject *progress = nullptr, *log = nullptr;
-  ~Callbacks() {
-    if (progress == nullptr && log == nullptr) return;
-    const Locked locked;
-    Py_XDECREF(progress);
-    Py_XDECREF(log);
-  }
 };
 
 /** Whether an answer is False, Python's own or NumPy's; what is merely false when asked, such as None, is not. */
@@ -139,6 +133,7 @@ inline bool says_false(PyObject* answer) {
 inline int32_t on_progress(double fraction, const char* stage, void* user) {
   const Locked locked;
   PyObject* progress = static_cast<Callbacks*>(user)->progress;
+  if (pending().type != nullptr) return 1;  // the log raised: no call of progress may take that
   if (PyErr_CheckSignals() != 0) {
     keep_exception();
     return 1;
@@ -167,8 +162,8 @@ inline void on_log(int32_t level, const char* text, void* user) {
 /** Gives the task these callables (None: none), and the look for Ctrl-C in any case. */
 inline void set_callbacks(Handle<jalon_task>* box, PyObject* progress, PyObject* log) {
   auto callbacks = std::make_shared<Callbacks>();
-  if (progress != Py_None) Py_XINCREF(callbacks->progress = progress);
-  if (log != Py_None) Py_XINCREF(callbacks->log = log);
+  if (progress != Py_None) callbacks->progress = progress;
+  if (log != Py_None) callbacks->log = log;
   const jalon_binding::Use<jalon_task> task(box);
   jalon_binding::check(jalon_task_set_progress(task, on_progress, callbacks.get()));
   jalon_binding::check(

@@ -8,7 +8,7 @@ namespace Jalon {
 /// <summary>The native box of an object. It stays during every call that holds it (Held).</summary>
 internal abstract class Box : SafeHandle {
   private readonly long pressure_bytes;
-  private GCHandle kept;
+  private GCHandle named;
 
   /// <param name="box">The native box, which is taken over.</param>
   /// <param name="pressure_bytes">Native memory that the collector shall know of.</param>
@@ -25,10 +25,10 @@ internal abstract class Box : SafeHandle {
     get { return handle == IntPtr.Zero; }
   }
 
-  /// <summary>Keeps an object as long as the native box; returns what native code calls it by.</summary>
-  internal IntPtr Keep(object host) {
-    kept = GCHandle.Alloc(host);
-    return GCHandle.ToIntPtr(kept);
+  /// <summary>What native code calls an object by, which whoever holds the box during a call keeps.</summary>
+  internal IntPtr Name(object host) {
+    named = GCHandle.Alloc(host, GCHandleType.Weak);
+    return GCHandle.ToIntPtr(named);
   }
 
   /// <summary>Frees the native box.</summary>
@@ -36,7 +36,7 @@ internal abstract class Box : SafeHandle {
 
   protected override bool ReleaseHandle() {
     Delete(handle);
-    if (kept.IsAllocated) kept.Free();
+    if (named.IsAllocated) named.Free();
     if (pressure_bytes > 0) GC.RemoveMemoryPressure(pressure_bytes);
     return true;
   }

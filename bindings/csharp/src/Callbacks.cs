@@ -43,7 +43,7 @@ internal sealed class Callbacks {
     if (progress == null && log == null) return;
     using (var held = new Held(task)) {
       LibraryPINVOKE.set_callbacks(held.Pointer, progress == null ? null : on_progress, log == null ? null : on_log,
-                                   task.Keep(this));
+                                   task.Name(this));
     }
     Failure.Check();
   }

@@ -246,6 +246,7 @@ class Task(Handle):
         for name, value, signature in (("progress", progress, "fraction, stage"), ("log", log, "level, text")):
             if value is not None and not callable(value):
                 raise _arguments.wrong_type(name, "a callable of (%s)" % signature, value)
+        object.__setattr__(self, "_callables", (progress, log))  # which native code calls and does not keep
         _native.set_callbacks(self, progress, log)
         threads = _arguments.integer(threads, "threads", 0, 2 ** 31 - 1)
         if threads:

@@ -35,6 +35,17 @@ static class Lifetimes {
     return depth == 0 ? 0 : Overwrite(depth - 1) + 1;
   }
 
+  /// <summary>Handles that stay of what was done on a thread of its own: its stack goes with it.</summary>
+  internal static long Left(Action action) {
+    long before = Settled();
+    Exception failure = null;
+    var worker = new Thread(() => { try { action(); } catch (Exception thrown) { failure = thrown; } });
+    worker.Start();
+    worker.Join();
+    if (failure != null) throw failure;
+    return Settled() - before;
+  }
+
   static readonly double[,] plane = Scenes.Plane(12);
 
   [MethodImpl(MethodImplOptions.NoInlining)]

@@ -20,6 +20,7 @@ final class Behaviours {
     Shapes.addTo(all);
     Errors.addTo(all);
     Tasks.addTo(all);
+    Storms.addTo(all);
     Lifetimes.addTo(all);
     Methods.addTo(all);
     ObjectBytes.addTo(all);
