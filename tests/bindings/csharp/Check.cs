@@ -55,7 +55,7 @@ static class Check {
       return 0;
     }
     foreach (Type type in new[] {typeof(Arrays), typeof(Calls), typeof(Storms), typeof(Texts), typeof(Parameters), typeof(Lifetimes),
-                                 typeof(ObjectBytes), typeof(Shapes), typeof(EveryCall), typeof(Wild)}) {
+                                 typeof(ObjectBytes), typeof(Shapes), typeof(EveryCall), typeof(Wild), typeof(Misuse)}) {
       foreach (MethodInfo test in type.GetMethods(BindingFlags.Public | BindingFlags.Static | BindingFlags.DeclaredOnly)) {
         if (args.Length == 0 || args.Any(a => (type.Name + "." + test.Name).Contains(a))) Run(test);
       }

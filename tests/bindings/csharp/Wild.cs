@@ -9,7 +9,7 @@ using Jalon;
 
 /// <summary>Every public member of every class with null, zero and extreme values: an exception, never a crash.</summary>
 static class Wild {
-  static List<Noun> Samples() {
+  internal static List<Noun> Samples() {
     var cloud = new Cloud(Scenes.Plane(12));
     var segmenter = new Segmenter();
     Segmentation segmentation = segmenter.Run(cloud);
@@ -40,7 +40,7 @@ static class Wild {
     return type.IsValueType ? Activator.CreateInstance(type) : null;
   }
 
-  static bool Allowed(Exception error) {
+  internal static bool Allowed(Exception error) {
     return error is JalonException || error is OperationCanceledException || error is ObjectDisposedException ||
            error is IndexOutOfRangeException;
   }

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 package org.jalon;
 
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 
 /** Texts as they cross to native code: UTF-8 that ends with 0. */
@@ -13,7 +17,15 @@ final class Text {
     if (text != null && text.indexOf('\0') >= 0) {
       throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT, "a text with a zero character in it");
     }
-    return text == null ? null : (text + "\0").getBytes(StandardCharsets.UTF_8);
+    if (text == null) {
+      return null;
+    }
+    try {
+      final ByteBuffer bytes = StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(text));
+      return Arrays.copyOf(bytes.array(), bytes.limit() + 1);
+    } catch (CharacterCodingException failure) {
+      throw new InvalidArgumentException(Jalon.ERROR_INVALID_ARGUMENT, "a text holds half a surrogate pair, which is no character");
+    }
   }
 
   static String of(byte[] bytes) {

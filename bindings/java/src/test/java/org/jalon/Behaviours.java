@@ -26,6 +26,7 @@ final class Behaviours {
     ObjectBytes.addTo(all);
     Setters.addTo(all);
     EveryCall.addTo(all);
+    Misuse.addTo(all);
     return all;
   }
 

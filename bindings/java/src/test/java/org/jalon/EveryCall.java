@@ -18,15 +18,16 @@ import java.util.Map;
 
 /** Every public method of every public class, in each of its overloads, with real data: none fails. */
 final class EveryCall {
+  static final Class<?>[] NOUNS = {Adjustment.class, Cloud.class, CloudBuilder.class, Comparer.class, Comparison.class, Evaluation.class,
+      Fields.class, Gauge.class, Jalon.class, Model.class, ModelEvaluation.class, Modeller.class, Network.class, NoiseLaw.class, Params.class,
+      Registrar.class, Registration.class, Rows.class, Scanner.class, Sections.class, Segmentation.class, Segmenter.class, Targets.class,
+      Task.class, Trajectory.class, Array.class};
   private static final Map<Class<?>, Object> GIVEN = new HashMap<>();
 
   private EveryCall() {}
 
   static void addTo(Map<String, Behaviours.Body> all) {
-    for (Class<?> type : new Class<?>[] {Adjustment.class, Cloud.class, CloudBuilder.class, Comparer.class, Comparison.class, Evaluation.class,
-        Fields.class, Gauge.class, Jalon.class, Model.class, ModelEvaluation.class, Modeller.class, Network.class, NoiseLaw.class, Params.class,
-        Registrar.class, Registration.class, Rows.class, Scanner.class, Sections.class, Segmentation.class, Segmenter.class, Targets.class,
-        Task.class, Trajectory.class, Array.class}) {
+    for (Class<?> type : NOUNS) {
       all.put("every_call__of_" + type.getSimpleName(), () -> calls(type));
     }
     all.put("every_call__of_results", EveryCall::results);
@@ -34,9 +35,15 @@ final class EveryCall {
 
   /** The overloads of a class by name and types, so that each run makes the same calls. */
   private static List<Executable> members(Class<?> type) {
+    final List<Executable> members = withSetters(type);
+    members.removeIf(member -> member instanceof Method && Setters.isSetter((Method) member));
+    return members;
+  }
+
+  static List<Executable> withSetters(Class<?> type) {
     final List<Executable> members = new ArrayList<>();
     for (Method method : type.getDeclaredMethods()) {
-      if (Modifier.isPublic(method.getModifiers()) && !method.isSynthetic() && !Setters.isSetter(method)) {
+      if (Modifier.isPublic(method.getModifiers()) && !method.isSynthetic()) {
         members.add(method);
       }
     }
@@ -97,7 +104,7 @@ final class EveryCall {
   }
 
   /** What a method is called of; what it changes or closes is its own. */
-  private static Object subject(Class<?> type, Executable member) {
+  static Object subject(Class<?> type, Executable member) {
     final Survey survey = Survey.get();
     final String name = member.getName();
     if (type == Cloud.class) {
