@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-"""Comparisons by M3C2 in drawn scenes, against the same written in NumPy (m3c2_slow.py)."""
+"""Comparisons by M3C2 in drawn scenes, against the same written in NumPy (m3c2_slow.py). JALON_FULL=1: ten times as many."""
 
+import os
 import unittest
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 import jalon
 from m3c2_slow import COMPARED, NOTHING_NEAR, TOO_FEW_POINTS, m3c2
 
-SCENES = 50
+SCENES = 500 if "JALON_FULL" in os.environ else 50
 # Of the coordinates' size: some tens of roundings of what both programs begin with.
 NEAR = 1e-12
 # Of a level: the quantile of the library is good to 1e-9 of itself from four degrees of freedom on.
@@ -92,7 +93,7 @@ class M3c2(unittest.TestCase):
         self.assertEqual(got["significant"].astype(bool).tolist(), (ok & significant).tolist(), name)
         return status, off, off_lod
 
-    def python__m3c2_is_what_numpy_makes_of_fifty_scenes(self):
+    def python__m3c2_is_what_numpy_makes_of_drawn_scenes(self):
         found = [self.compare(1000 + i) for i in range(SCENES)]
         status = np.concatenate([f[0] for f in found])
         told = [int((status == s).sum()) for s in (COMPARED, NOTHING_NEAR, TOO_FEW_POINTS)]
