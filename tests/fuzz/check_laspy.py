@@ -136,7 +136,9 @@ def check_e57(jalon, folder, tally):
     if not jalon.has_laz():
         print("skipped: E57 was not built")
         return 1
+    import drawn_e57
     e57.check(jalon, folder, tally)
+    drawn_e57.check(jalon, folder, tally, SEEDS)
     return 0
 
 

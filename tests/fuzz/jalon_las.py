@@ -78,7 +78,8 @@ class Jalon:
         self.lib.jalon_cloud_release(cloud)
         return xyz, out, text
 
-    def write(self, path, xyz, fields, version):
+    def write(self, path, xyz, fields, version, pose=None):
+        """pose: of the one station, (3, 4), or None for no station."""
         cloud, options = ctypes.c_void_p(), ctypes.c_void_p()
         xyz = numpy.ascontiguousarray(xyz, "f8")
         self.call("jalon_cloud_create", xyz.ctypes.data_as(ctypes.c_void_p), 10, ctypes.c_uint64(len(xyz)),
@@ -89,6 +90,8 @@ class Jalon:
             self.call("jalon_cloud_set_field", cloud, name.encode(), packed.ctypes.data_as(ctypes.c_void_p),
                       CODES[packed.dtype], ctypes.c_uint32(components), ctypes.c_uint64(len(packed)),
                       ctypes.c_uint64(0), None, None)
+        if pose is not None:
+            self.call("jalon_cloud_set_station", cloud, b"S", (ctypes.c_double * 12)(*numpy.ravel(pose)))
         self.call("jalon_params_create", b"write", ctypes.byref(options))
         self.call("jalon_params_set_string", options, b"las_version", version.encode())
         self.call("jalon_cloud_write", cloud, str(path).encode(), options, None)
