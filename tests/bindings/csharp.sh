@@ -94,6 +94,8 @@ check "loader: it says what it tried" bash -c "! env -i PATH='$PATH' HOME='$work
 check "loader: JALON_NATIVE names a folder" env JALON_NATIVE="$(ls -d "$work"/package/runtimes/*/native)" mono "$work/bare/bare.exe"
 cp -r "$work/package/runtimes" "$work/bare"
 check "loader: runtimes beside the program" env -i PATH="$PATH" HOME="$work" mono "$work/bare/bare.exe"
+bash "$root/tests/bindings/csharp_plugins.sh" "$work/package" >"$work/tests.log" 2>&1
+add_up $?
 
 # The examples print what their C twins print.
 scan() { "$build/src/jalon" scan --quiet -o "$work/$1" "${@:2}"; }

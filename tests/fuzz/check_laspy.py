@@ -16,6 +16,7 @@ import laspy
 import numpy
 from laspy.vlrs.known import WktCoordinateSystemVlr
 
+import drawn_clouds
 import drawn_las
 from jalon_las import Jalon
 from las_fields import (LOST_BY_LAZRS, SCALARS, VERSIONS, WAVES, WKT, add_extra, differences, fill, off_step, random_values,
@@ -150,6 +151,7 @@ def main():
         drawn_las.check(jalon, pathlib.Path(name), tally, SEEDS)
         skipped = check_copc(jalon, pathlib.Path(name), tally)
         skipped += check_e57(jalon, pathlib.Path(name), tally)
+        skipped += drawn_clouds.check(jalon, pathlib.Path(name), tally, SEEDS)
     print("laspy %s, LAZ %s" % (laspy.__version__, "both ways" if jalon.has_laz() else "not built"))
     print("%d passed, %d failed, %d skipped" % (tally.passed, tally.failed, skipped))
     return 1 if tally.failed else 0

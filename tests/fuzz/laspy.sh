@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
-# LAS and LAZ against laspy, E57 against pye57, COPC against laspy and copclib, in both directions: laspy.sh BUILD_FOLDER
+# LAS and LAZ against laspy, E57 against pye57, COPC against laspy and copclib, PLY
+# against plyfile, PCD against pypcd4, in both directions: laspy.sh BUILD_FOLDER
 # laspy and lazrs come from PyPI into BUILD_FOLDER/laspy_venv, once. Without it the test is skipped (77), visibly;
 # where CI is set that is a failure.
 set -uo pipefail
@@ -27,6 +28,8 @@ if ! has_laspy; then
     exit 77
   fi
 fi
-"$venv/bin/python" -c "import copclib" 2>/dev/null || # which has no wheel for some machines
-  "$venv/bin/pip" install --disable-pip-version-check --retries 0 copclib >"$build/copclib_setup.log" 2>&1 || true
+for package in copclib plyfile pypcd4; do # some have no wheel for some machines
+  "$venv/bin/python" -c "import $package" 2>/dev/null ||
+    "$venv/bin/pip" install --disable-pip-version-check --retries 0 "$package" >"$build/${package}_setup.log" 2>&1 || true
+done
 exec "$venv/bin/python" "$here/check_laspy.py" "$build/src/libjalon.so"

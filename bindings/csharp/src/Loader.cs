@@ -9,7 +9,7 @@ using System.Runtime.InteropServices;
 namespace Jalon {
 
 /// <summary>
-/// Finds the native library: in the folder that the environment variable JALON_NATIVE names, beside the assembly, in
+/// Finds the native library: in the folder that the environment variable JALON_NATIVE names, beside the assembly or what it is a copy of, in
 /// runtimes/RID/native of the package or of the program, then where the system looks.
 /// </summary>
 internal static class Loader {
@@ -69,12 +69,27 @@ internal static class Loader {
   private static IEnumerable<string> Candidates() {
     string named = Environment.GetEnvironmentVariable("JALON_NATIVE");
     if (!string.IsNullOrEmpty(named)) yield return Path.Combine(named, FileName);
-    string beside = Path.GetDirectoryName(typeof(Loader).GetTypeInfo().Assembly.Location);
-    if (string.IsNullOrEmpty(beside)) beside = AppContext.BaseDirectory;
     string packaged = Path.Combine(Path.Combine("runtimes", RuntimeId), Path.Combine("native", FileName));
-    yield return Path.Combine(beside, FileName);
-    yield return Path.Combine(beside, packaged);
-    yield return Path.Combine(Path.Combine(Path.Combine(beside, ".."), ".."), packaged);
+    foreach (string beside in Folders()) {
+      yield return Path.Combine(beside, FileName);
+      yield return Path.Combine(beside, packaged);
+      yield return Path.Combine(Path.Combine(Path.Combine(beside, ".."), ".."), packaged);
+    }
+  }
+
+  /// <summary>
+  /// Of the assembly: where it was loaded from, and where it came from if the host loads copies; of the program where it is no
+  /// file but bytes.
+  /// </summary>
+  private static IEnumerable<string> Folders() {
+    Assembly own = typeof(Loader).GetTypeInfo().Assembly;
+    if (string.IsNullOrEmpty(own.Location)) {
+      yield return AppContext.BaseDirectory;
+      yield break;
+    }
+    string loaded = Path.GetDirectoryName(own.Location), origin = Path.GetDirectoryName(new Uri(own.CodeBase).LocalPath);
+    yield return loaded;
+    if (origin != loaded) yield return origin;
   }
 
 #if NETCOREAPP3_0_OR_GREATER

@@ -153,7 +153,7 @@ static class Lifetimes {
 
   public static void Dispose__races_with_calls_and_never_crashes() {
     Exception wrong = null;
-    for (int round = 0; round < (Check.Full ? 2000 : 200); ++round) {
+    for (int round = 0; round < (Check.Full ? 2000 : 1000); ++round) {
       var cloud = new Cloud(plane);
       ArrayView points = cloud.GetPoints();
       var user = new Thread(() => {

@@ -4,6 +4,7 @@
 
 import contextlib
 import gc
+import sys
 import threading
 import traceback
 import unittest
@@ -46,12 +47,15 @@ class Storm:
     def __enter__(self):
         gc.collect()
         gc.freeze()
+        self._interval = sys.getswitchinterval()
+        sys.setswitchinterval(2e-4)  # the calls' thread gets its turns
         self._thread.start()
         return self
 
     def __exit__(self, *_):
         self._stop.set()
         self._thread.join()
+        sys.setswitchinterval(self._interval)
         gc.unfreeze()
 
 

@@ -1,5 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
+import collections
+import concurrent.futures
 import gc
 import os
 import random
@@ -12,6 +14,7 @@ import numpy as np
 import jalon
 from scenes import SANITIZED, box_cloud, large_cloud
 
+CLOSES = 100 if SANITIZED else 1000 if os.environ.get("JALON_FULL") else 300
 CYCLES = 100 if SANITIZED else 10000 if os.environ.get("JALON_FULL") else 500
 LIMIT_BYTES = 8 << 20
 
@@ -139,6 +142,42 @@ class Lifetimes(unittest.TestCase):
         self.assertEqual(len(refused), 2, refused)
         self.assertEqual(cloud["normal"].shape, (400000, 3))
         cloud.close()
+
+    def python__closes_race_with_calls_of_another_thread(self):
+        """Each ends well or is refused, whichever comes first."""
+        xyz, told = np.random.default_rng(3).random((300, 3)), collections.Counter()
+        gc.collect()
+        before = jalon._live_handle_count()
+
+        def use(cloud, began):
+            began.set()
+            for call in (lambda: cloud.compute_normals(k=8), lambda: cloud.knn_all(3), lambda: cloud.subsample(method="voxel", cell_m=0.1)) * 2:
+                try:
+                    call()
+                    told["calls done"] += 1
+                except jalon.ClosedError:
+                    told["calls refused"] += 1
+        with concurrent.futures.ThreadPoolExecutor(1) as other:
+            for i in range(CLOSES):
+                cloud, began = jalon.Cloud(xyz), threading.Event()
+                done = other.submit(use, cloud, began)
+                began.wait()
+                time.sleep(i % 10 * 2e-4)
+                try:
+                    cloud.close()
+                    told["closed"] += 1
+                except jalon.BusyError:
+                    told["busy"] += 1
+                done.result()
+                cloud.close()
+                del cloud
+        del done
+        collect(before)
+        self.assertEqual(jalon._live_handle_count(), before)
+        self.assertEqual(told["closed"] + told["busy"], CLOSES)
+        self.assertEqual(told["calls done"] + told["calls refused"], 6 * CLOSES)
+        self.assertGreater(min(told[name] for name in ("closed", "calls done", "calls refused")), 0, told)
+        print("FIGURE closes that race with calls in Python: %s" % ", ".join("%d %s" % (n, what) for what, n in sorted(told.items())))
 
     def python__results_are_not_made_by_calling_their_class(self):
         self.assertRaises(TypeError, jalon.Segmentation)

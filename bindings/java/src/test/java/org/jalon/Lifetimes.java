@@ -11,10 +11,16 @@ import java.nio.file.Paths;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicInteger;
 
 /** Create, use and drop, with and without close, under a storm of collections: no crash, no handle and no memory stays. */
 final class Lifetimes {
   private static final int CYCLES = "1".equals(System.getenv("JALON_FULL")) ? 10000 : 500;
+  private static final int CLOSES = CYCLES > 500 ? 1000 : 200;
   private static final double LIMIT_MIB = 8;
 
   private Lifetimes() {}
@@ -24,6 +30,7 @@ final class Lifetimes {
     all.put("lifetimes__never_closed", () -> storm("dropped", i -> false));
     all.put("lifetimes__half_closed_in_any_order", () -> storm("half closed", i -> i % 3 == 0));
     all.put("lifetimes__many_threads", Lifetimes::threads);
+    all.put("lifetimes__closes_race_with_calls", Lifetimes::closes);
   }
 
   /** Whether cycle i closes object number i. */
@@ -112,6 +119,49 @@ final class Lifetimes {
     expect(failures.isEmpty(), failures.toString());
     threads.clear();
     settleTo(before);
+  }
+
+  /** Closes while another thread calls: each ends well or is refused, whichever comes first. */
+  private static void closes() throws Exception {
+    settle();
+    final long before = Jalon.liveHandleCount();
+    final AtomicInteger done = new AtomicInteger();
+    final AtomicInteger refused = new AtomicInteger();
+    int closed = 0;
+    final ExecutorService other = Executors.newSingleThreadExecutor();
+    try {
+      for (int i = 0; i < CLOSES; ++i) {
+        final Cloud cloud = Cloud.create(Behaviours.dome(16), 0);
+        final CountDownLatch began = new CountDownLatch(1);
+        final Future<?> calls = other.submit(() -> {
+          began.countDown();
+          for (int k = 0; k < 12; ++k) {
+            try {
+              cloud.computeNormals();
+              done.incrementAndGet();
+            } catch (ClosedException failure) {
+              refused.incrementAndGet();
+            }
+          }
+        });
+        began.await();
+        Thread.sleep(i % 3);
+        try {
+          cloud.close();
+          ++closed;
+        } catch (BusyException failure) {
+          expect(!cloud.isClosed(), "it stays open");
+        }
+        calls.get();
+        cloud.close();
+      }
+    } finally {
+      other.shutdown();
+    }
+    settleTo(before);
+    System.out.println("FIGURE java: closes that race with calls: " + closed + " of " + CLOSES + " closed, " + (CLOSES - closed) + " busy; " + done
+        + " calls done, " + refused + " refused");
+    expect(closed > 0 && done.get() > 0 && refused.get() > 0 && done.get() + refused.get() == 12 * CLOSES, "each is one of them");
   }
 
   /** Collects until the number of handles no longer falls. */
