@@ -14,6 +14,8 @@ namespace {
 
 // Of a hole's box and that of the shape it was drawn for, both within some spacings of the true opening.
 constexpr double kSameOpening = 0.5;
+// With the middle of each in the other: what is five spacings high (a vent) is three high as a shape that lies one inside.
+constexpr double kSameSmallOpening = 0.3;
 // Openings cut out of the border are notches of any width, and a vent's height.
 constexpr NotchSetting kAnyNotch{0.1, 0.1, 1e6};
 constexpr double kHeldShare =
@@ -56,22 +58,31 @@ uint32_t nearest_piece(const VectorPlane& wall, const Vec2& p) {
 int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> candidates) {
   const RingBox box = ring_box(hole.outline);
   int32_t best = -1;
-  double most = kSameOpening;
+  double most = 0;
   for (size_t k = 0; k < candidates.size(); ++k) {
     if (!candidates[k].is_opening) continue;
-    const double same = overlap(candidates[k].shape.box(), box);
-    if (same < most) continue;
+    const RingBox own = candidates[k].shape.box();
+    const bool is_centred = box.holds(own.middle()) && own.holds(box.middle());
+    const double same = overlap(own, box);
+    if (same < (is_centred ? kSameSmallOpening : kSameOpening) || same <= most) continue;
     most = same;
     best = static_cast<int32_t>(k);
   }
   return best;
 }
 
+bool holds_several(const WallHole& hole, std::span<const OpeningCandidate> candidates) {
+  const RingBox box = ring_box(hole.outline);
+  return std::count_if(candidates.begin(), candidates.end(), [&](const OpeningCandidate& c) {
+           return c.is_opening && box.holds(c.shape.box().middle());
+         }) > 1;
+}
+
 std::vector<WallHole> evident_holes(const VectorPlane& wall,
                                     std::span<const OpeningCandidate> candidates) {
   std::vector<WallHole> out = holes_of(wall, kAnyNotch);
   std::erase_if(out, [&](const WallHole& hole) {
-    return hole.is_notch && candidate_of(hole, candidates) < 0;
+    return hole.is_notch && (candidate_of(hole, candidates) < 0 || holds_several(hole, candidates));
   });
   add_bays(wall, candidates, out);
   return out;
@@ -93,7 +104,7 @@ void add_bays(const VectorPlane& wall, std::span<const OpeningCandidate> candida
     WallHole bay;
     bay.outline = shape.ring();
     bay.piece = nearest_piece(wall, middle);
-    bay.is_notch = bay.is_bay = true;
+    bay.is_notch = bay.is_bay = bay.is_evident = true;
     holes.push_back(std::move(bay));
   }
 }

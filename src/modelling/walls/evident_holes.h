@@ -20,6 +20,10 @@ int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> can
 std::vector<WallHole> evident_holes(const VectorPlane& wall,
                                     std::span<const OpeningCandidate> candidates);
 
+/// Whether a hole holds the middles of several openings: where what parts them was hidden at its foot the outline has
+/// one notch for them all, which stands for none.
+bool holds_several(const WallHole& hole, std::span<const OpeningCandidate> candidates);
+
 /// Bays for openings of a wall that none of its holes stands for, as evident_holes has them.
 void add_bays(const VectorPlane& wall, std::span<const OpeningCandidate> candidates,
               std::vector<WallHole>& holes);
