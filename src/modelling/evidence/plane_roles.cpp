@@ -27,7 +27,7 @@ constexpr double kCornice_m = 0.6;                   // strips of a wall stand n
 constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
 constexpr size_t kLookedAtCells = 20000;
 constexpr double kFilledShare = 0.5;
-constexpr double kLargestGate_m2 = 8;   // as find_openings.cpp has it
+constexpr double kLargestGate_m2 = 33;  // 4.6 x 7.1 m in one of the real streets
 constexpr double kMostOfBay = 2.0 / 3;  // framed: of a bay as wide as high that is open above
 constexpr size_t kLeastWindows = 2;     // of a wall that stands back: a gate may have one
 
@@ -78,13 +78,10 @@ double area_of(const OpeningCandidate& opening, const WallCells& cells) {
 
 // Whether a place before a plane lies in an opening of the wall. Walls have windows; gates and shutters, which may be
 // as large, have none: a plane with openings of its own fills framed openings only, any other fills what it lies in.
-// At a slant of up to 45 degrees a window or a gate shows what lies beside it by its depth: panes and curtains.
-bool is_in_opening(const WallEvidence& wall, const Foot& foot, bool only_framed) {
-  const double slant = std::clamp(foot.depth_m, 0.0, kFillingDepth_m);
+bool is_in_opening(const WallEvidence& wall, const Vec2& at, bool only_framed) {
   return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
-    const bool is_window = !only_framed && area_of(opening, wall.cells) < kLargestGate_m2;
     return opening.is_opening && (!only_framed || opening.framed >= kFramedShare) &&
-           opening.shape.grown(is_window ? slant : 0).holds(foot.at);
+           opening.shape.holds(at);
   });
 }
 
@@ -104,7 +101,7 @@ Placement placement_of(const WallEvidence& plane, const WallEvidence& wall) {
     if (!foot.is_on_map) return;
     within += wall.cells.at(foot.column, foot.row) != WallState::kOutside;
     behind += is_well_inside(wall.cells, foot.column, foot.row);
-    openings += is_in_opening(wall, foot, is_windowed);
+    openings += is_in_opening(wall, foot.at, is_windowed);
   });
   if (on == 0) return {};
   return {share_of(openings, on), share_of(behind, on), share_of(within, on),
@@ -222,7 +219,7 @@ bool fills_openings(const WallEvidence& plane, const std::vector<const WallEvide
       const Foot foot(wall->cells, p);
       if (!foot.is_on_map || foot.depth_m <= wall->cells.on_m / 2 || foot.depth_m > kFillingDepth_m)
         return false;
-      return is_in_opening(*wall, foot, is_windowed);
+      return is_in_opening(*wall, foot.at, is_windowed);
     });
   });
   return share_of(inside, on) >= kFillingShare;
@@ -327,7 +324,7 @@ double explained_m2(const WallEvidence& plane) {
 bool is_filling_at(const WallEvidence& wall, const Vec3& p) {
   const Foot foot(wall.cells, p);
   return foot.is_on_map && foot.depth_m > wall.cells.on_m / 2 && foot.depth_m <= kFillingDepth_m &&
-         is_in_opening(wall, foot, true);
+         is_in_opening(wall, foot.at, true);
 }
 
 void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task) {

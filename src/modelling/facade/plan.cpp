@@ -78,10 +78,9 @@ std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, s
   out.insert(out.end(), bays.begin(), bays.end());
   if (!evidence.empty() && evidence[wall].is_wall()) {
     std::vector<OpeningCandidate> closed =
-        evidence[wall].openings;  // a lattice's bays are told before; between parapets are no jambs
+        evidence[wall].openings;  // a lattice's bays are told before
     std::erase_if(closed, [&](const OpeningCandidate& opening) {
-      return opening.is_open_above || opening.jambs < kFramedShare ||
-             opening.shape.box().width() > setting.group.notch.max_width_m;
+      return opening.is_open_above || opening.shape.box().width() > setting.group.notch.max_width_m;
     });
     std::erase_if(out, [&](const WallHole& hole) {
       return hole.is_notch && !hole.is_bay && holds_several(hole, closed);

@@ -28,7 +28,8 @@ double leaf_foot(const HoleSurvey& notch, uint32_t label, const VectorRing& outl
   if (last == heights.begin() || *(last - 1) > border_v + kGoesOn_m) return INFINITY;
   double foot = border_v;
   for (; last != heights.end() && foot - *last <= kGoesOn_m; ++last) foot = *last;
-  const auto strays = static_cast<ptrdiff_t>(kLeafStrays * static_cast<double>(last - heights.begin()));
+  const auto strays =
+      static_cast<ptrdiff_t>(kLeafStrays * static_cast<double>(last - heights.begin()));
   return *(last - 1 - strays);
 }
 
