@@ -20,7 +20,8 @@ int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> can
 std::vector<WallHole> evident_holes(const VectorPlane& wall,
                                     std::span<const OpeningCandidate> candidates);
 
-/// Whether a hole holds several openings side by side, none of them most of it, and a pier comes down between them: where the foot of the pier
+/// Whether a hole holds several openings side by side, none of them most of it, and a pier comes down between them:
+/// where the foot of the pier
 /// was hidden the outline has one notch for them all, which stands for none.
 bool holds_several(const WallHole& hole, std::span<const OpeningCandidate> candidates);
 
