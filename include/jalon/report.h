@@ -105,8 +105,9 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_deviations(const jalon_com
                                                                  jalon_task* task);
 /**
  * Histogram of the distances as SVG with the noise law of those below the threshold (Weibull, Girardeau-Montaut 2006,
- * 3.4; of signed ones normal) and the threshold, of signed ones on both sides. Operation "comparison_report" (bins,
- * threshold_m, limit_m).
+ * 3.4; of signed ones normal) and the threshold, of signed ones on both sides. The axis shows their body, six robust
+ * standard deviations about the median unless limit_m is given, and counts what lies beyond. Operation
+ * "comparison_report" (bins, threshold_m, limit_m).
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comparison* comparison,
                                                                 const char* path,
@@ -114,8 +115,11 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comp
                                                                 jalon_task* task);
 /**
  * One self-contained HTML page on a comparison: summary of both directions, their pictures side by
- * side on one colour scale, histograms with noise law and threshold, the table of regions or
- * changes, what the method tells of sampling error and levels of detection, parameters, times.
+ * side on one colour scale with the outlines and numbers of what changed, histograms with noise law
+ * and threshold, the table of regions or changes, what is significant and how far that is, what the
+ * method tells of sampling error, parameters, times, and of each of the first 40 changes a page with
+ * its place in both epochs. Outlines are of points beyond threshold_m or, where that is 0, of the
+ * significant ones.
  *
  * - reverse: may be NULL: one direction.
  * - changes: what jalon_comparison_regions or jalon_comparison_diagnose gave, or NULL.

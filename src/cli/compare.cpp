@@ -135,10 +135,9 @@ struct Compare {
   void write_report(const Console& console, OutputFolder& folder, const Direction& forward,
                     const Direction& reverse, const Fields& changes, const Params& change_options,
                     const Json& times, const std::string& shadows, const Lengths& lengths) const {
-    double threshold = 0;
-    must(jalon_params_get_double(change_options.get(), "threshold_m", &threshold));
     const Params options = viewer.params("comparison_report");
-    must(jalon_params_set_double(options.get(), "threshold_m", threshold));
+    must(jalon_params_set_double(options.get(), "threshold_m",
+                                 deciding_threshold(*forward.summary, change_options)));
     Json notes{
         {"title", "Comparison"},
         {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},

@@ -167,4 +167,15 @@ std::string said_of_shadows(const Cloud& reference, const Params& params, const 
          "scanners' places";
 }
 
+double deciding_threshold(const Table& summary, const Params& change_options) {
+  const char* criterion = nullptr;
+  must(jalon_params_get_string(change_options.get(), "criterion", &criterion));
+  const std::string by = criterion;
+  const bool has_tests = summary.has("tests") || summary.has("mean_lod");
+  if (by == "significance" || by == "field" || (by == "automatic" && has_tests)) return 0;
+  double threshold = 0;
+  must(jalon_params_get_double(change_options.get(), "threshold_m", &threshold));
+  return threshold;
+}
+
 }  // namespace jalon::cli

@@ -29,15 +29,15 @@ std::string law_text(const NoiseLaw& law) {
 }
 
 // Expected points per bin at each place.
-void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law,
+void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law, double points,
               const HistogramPlot& plot) {
   constexpr int kSteps = 240;
   std::vector<Vec2> curve;
-  const double points = static_cast<double>(histogram.values) * histogram.width();
   for (int i = 0; i <= kSteps; ++i) {
     const double mm = plot.from_mm + (plot.to_mm - plot.from_mm) * i / kSteps;
     const double density = law.density(mm / 1000);
-    if (std::isfinite(density)) curve.push_back({plot.x(mm), plot.y(density * points)});
+    if (std::isfinite(density))
+      curve.push_back({plot.x(mm), plot.y(density * points * histogram.width())});
   }
   svg.leaf("path", {{"d", svg_polyline(curve)},
                     {"fill", "none"},
@@ -47,6 +47,20 @@ void draw_law(SvgWriter& svg, const Histogram& histogram, const NoiseLaw& law,
            {kDistanceChartRight - 60, kDistanceChartTop - 5}, kDistanceChartCurve, kLine);
   svg_text(svg, {kDistanceChartRight - 58, kDistanceChartTop - 4}, kDistanceChartText,
            Anchor::kStart, law_text(law));
+}
+
+// What lies beyond the axis is counted at its ends.
+void draw_tails(SvgWriter& svg, const Histogram& histogram, const HistogramPlot& plot) {
+  const double row = HistogramPlot::kBottom - 9;  // above the low bars at the ends
+  const auto tail = [&](uint64_t n, const char* where, double mm, double x, Anchor anchor) {
+    if (n == 0) return;
+    const double share = 100 * static_cast<double>(n) / static_cast<double>(histogram.values);
+    svg_text(svg, {x, row}, kDistanceChartText, anchor,
+             grouped(n) + where + text_of(mm, 1) + " mm (" + text_of(share, 2) + " %)", false,
+             false, kGrey);
+  };
+  tail(histogram.above, " beyond ", plot.to_mm, kDistanceChartRight - 1, Anchor::kEnd);
+  tail(histogram.below, " below ", plot.from_mm, kDistanceChartLeft + 1, Anchor::kStart);
 }
 
 void draw_marks(SvgWriter& svg, std::span<const ChartMark> marks, const HistogramPlot& plot) {
@@ -70,7 +84,7 @@ void draw_marks(SvgWriter& svg, std::span<const ChartMark> marks, const Histogra
 }  // namespace
 
 std::string distance_chart(const Histogram& histogram, const NoiseLaw* law,
-                           std::span<const ChartMark> marks) {
+                           std::span<const ChartMark> marks, uint64_t law_values) {
   SvgWriter svg;
   open_histogram(svg, "Histogram of the distances");
   HistogramPlot plot{kDistanceChartTop, 1000 * histogram.from, 1000 * histogram.to};
@@ -79,8 +93,11 @@ std::string distance_chart(const Histogram& histogram, const NoiseLaw* law,
     plot.most = std::max(plot.most, 1.05 * static_cast<double>(n));
   draw_axes(svg, plot, "Distance (mm)");
   draw_bars(svg, plot, histogram.counts);
-  if (law != nullptr) draw_law(svg, histogram, *law, plot);
+  if (law != nullptr)
+    draw_law(svg, histogram, *law,
+             static_cast<double>(law_values > 0 ? law_values : histogram.values), plot);
   draw_marks(svg, marks, plot);
+  draw_tails(svg, histogram, plot);
   return svg.take();
 }
 

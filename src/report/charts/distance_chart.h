@@ -15,8 +15,9 @@ struct ChartMark {
 };
 
 /// Histogram of distances as SVG: millimetres across, points upward, the fitted law as a curve, thresholds as lines.
-/// law may be null.
+/// What lies beyond the axis is counted at its ends. law may be null; law_values: how many values it stands for,
+/// 0 = all.
 std::string distance_chart(const Histogram& histogram, const NoiseLaw* law,
-                           std::span<const ChartMark> marks);
+                           std::span<const ChartMark> marks, uint64_t law_values = 0);
 
 }  // namespace jalon

@@ -8,13 +8,15 @@
 
 #include "base/error.h"
 #include "base/setting_rows.h"
-#include "base/text_number.h"
 #include "report/charts/distance_chart.h"
+#include "report/names/told_numbers.h"
+#include "report/pages/change_sections.h"
 #include "report/pages/html_frame.h"
 #include "report/pages/html_model.h"
 #include "report/pages/comparison_view.h"
 #include "report/pictures/deviation_picture.h"
 #include "report/sheet/svg_parts.h"
+#include "report/sheet/ticks.h"
 #include "report/viewer/view_page.h"
 
 namespace jalon {
@@ -32,21 +34,10 @@ constexpr auto kComparisonReportRows = setting_rows(
     integer_row<&ComparisonReportSettings::viewer_points>("viewer_points", 0, 1e9, "points", "",
                                                           kViewerPointsHelp));
 
-constexpr size_t kMostRows = 500;  // of changes in the page; the CSV has them all
-constexpr const char* kClasses[] = {"",
-                                    "appearance",
-                                    "disappearance",
-                                    "displacement",
-                                    "displacement with overlap",
-                                    "deformation",
-                                    "deformation with overlap"};
+constexpr size_t kMostMarks = 200;  // numbers on the maps: more would cover what they name
+constexpr size_t kMostPages = 40;   // of changes, each with two pictures
 constexpr const char* kComparisonReportSideBySide =
     "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
-
-std::string mm(double metres) { return std::isfinite(metres) ? text_of(1000 * metres, 2) : "-"; }
-std::string metres_of_comparison_report(double value, int decimals = 3) {
-  return std::isfinite(value) ? text_of(value, decimals) : "-";
-}
 
 std::vector<double> finite_distances(const Comparison& comparison) {
   std::vector<double> out;
@@ -58,16 +49,38 @@ std::vector<double> finite_distances(const Comparison& comparison) {
 struct Fitted {
   Histogram histogram;
   std::optional<NoiseLaw> law;  ///< none where the distances do not scatter
+  uint64_t law_values = 0;      ///< that it was fitted to
 };
 
-// The law is that of the distances below the threshold: what has changed is no noise.
-Fitted fit(const Comparison& comparison, const DeviationScale& scale, double threshold_m,
-           int64_t bins, Task& task) {
+// The axis shows the body of the distances: so many standard deviations, robust ones, about their median.
+constexpr double kBodySigmas = 6, kSigmaOfDeviation = 1.4826;
+
+double median_of(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// End of that axis, rounded up; no farther than the colour scale unless that was asked for.
+double body_limit(std::vector<double> values, const DeviationScale& scale, double asked_m) {
+  if (asked_m > 0 || values.empty()) return scale.limit_m;
+  const double middle = median_of(values);
+  for (double& d : values) d = std::abs(d - middle);
+  const double reach = std::abs(middle) + kBodySigmas * kSigmaOfDeviation * median_of(values);
+  return reach > 0 ? std::min(scale.limit_m, round_up_125(reach)) : scale.limit_m;
+}
+
+// The law is that of the distances below the threshold, or of the body: what has changed is no noise.
+Fitted fit(const Comparison& comparison, const DeviationScale& scale,
+           const ComparisonReportSettings& settings, Task& task) {
   Fitted out;
   const std::vector<double> values = finite_distances(comparison);
+  const double limit_m = body_limit(values, scale, settings.limit_m);
+  const double noise_m = settings.threshold_m > 0 ? settings.threshold_m : limit_m;
   std::vector<double> quiet;
   for (const double d : values)
-    if (!(threshold_m > 0) || std::abs(d) <= threshold_m) quiet.push_back(d);
+    if (std::abs(d) <= noise_m) quiet.push_back(d);
+  out.law_values = quiet.size();
   using Law = NoiseLawSettings::Law;
   const Law kind = scale.is_signed ? Law::kGauss : Law::kWeibull;
   try {
@@ -75,14 +88,17 @@ Fitted fit(const Comparison& comparison, const DeviationScale& scale, double thr
   } catch (const Error& error) {  // too few values, or all the same: a histogram without a curve
     if (error.status() != Status::kInsufficientData && error.status() != Status::kDegenerate) throw;
   }
-  const HistogramSettings bounds{
-      .bins = static_cast<uint64_t>(bins), .minimum = scale.lowest_m(), .maximum = scale.limit_m};
+  const HistogramSettings bounds{.bins = static_cast<uint64_t>(settings.bins),
+                                 .minimum = scale.is_signed ? -limit_m : 0,
+                                 .maximum = limit_m};
   if (!values.empty())
     out.histogram = field_histogram(values, out.law ? &*out.law : nullptr, bounds, task);
   return out;
 }
 
-void add_summary(Page& page, const Comparison& forward, const Comparison* reverse) {
+// is_unsigned: all distances are to the nearest point or surface, without a sign.
+void add_summary(Page& page, const Comparison& forward, const Comparison* reverse,
+                 bool is_unsigned) {
   page.heading("Summary");
   auto& html = page.html();
   page.open_table({"direction", "points", "compared", "hidden", "out of range", "out of field",
@@ -95,15 +111,16 @@ void add_summary(Page& page, const Comparison& forward, const Comparison* revers
          {"points", "compared", "hidden", "out_of_range", "out_of_field", "nothing_near"})
       page.number(grouped(static_cast<uint64_t>(c.summary.require(count).number(0))));
     for (const char* value : {"mean", "rms", "sigma"})
-      page.number(mm(c.summary.require(value).number(0)));
+      page.number(told_mm(c.summary.require(value).number(0)));
     for (const char* value : {"minimum", "maximum"})
-      page.number(metres_of_comparison_report(c.summary.require(value).number(0)));
+      page.number(told_number(c.summary.require(value).number(0)));
     html.close();
   };
   row("compared with the reference", forward);
   if (reverse != nullptr) row("reference with the compared", *reverse);
   page.close_table();
-  page.note("The largest of unsigned distances is the directed Hausdorff distance.");
+  if (is_unsigned)
+    page.note("The largest of these unsigned distances is the directed Hausdorff distance.");
 }
 
 // What else the method summed up: sampling error, levels of detection, tolerances ...
@@ -122,7 +139,7 @@ void add_more(Page& page, const Comparison& comparison) {
     pairs.emplace_back(
         info.meaning.empty() ? info.name : info.name + ": " + info.meaning,
         is_floating(info.type)
-            ? (in_mm ? mm(value) + " mm" : metres_of_comparison_report(value, 4) + " " + info.unit)
+            ? (in_mm ? told_mm(value) + " mm" : told_number(value, 4) + " " + info.unit)
             : grouped(static_cast<uint64_t>(std::max(0.0, value))));
   }
   if (pairs.empty()) return;
@@ -130,63 +147,63 @@ void add_more(Page& page, const Comparison& comparison) {
   add_pairs(page, pairs);
 }
 
-std::string vector_text(const Column& column, size_t row, int decimals) {
-  std::string out;
-  for (uint32_t k = 0; k < column.info().components; ++k)
-    out += (k > 0 ? ", " : "") + metres_of_comparison_report(column.number(row, k), decimals);
+// How far a distance must be to be one, and how many are.
+void add_detection(Page& page, const Comparison& forward, const Comparison* reverse) {
+  if (forward.points.find("level_of_detection") == nullptr ||
+      forward.points.find("significant") == nullptr)
+    return;
+  page.heading("Significance");
+  auto& html = page.html();
+  page.open_table({"direction", "tested", "significant", "share (%)",
+                   "level of detection (mm): 5 %", "half", "95 %"});
+  const auto row = [&](const char* name, const Comparison& c) {
+    const Column &level = c.points.require("level_of_detection"),
+                 &significant = c.points.require("significant");
+    std::vector<double> levels;
+    uint64_t found = 0;
+    for (size_t i = 0; i < level.count(); ++i) {
+      if (significant.number(i) != 0) ++found;
+      if (const double at = level.number(i); at >= 0) levels.push_back(at);
+    }
+    std::sort(levels.begin(), levels.end());
+    const auto quantile = [&](double share) {
+      return levels.empty()
+                 ? NAN
+                 : levels[static_cast<size_t>(share * static_cast<double>(levels.size() - 1))];
+    };
+    html.open("tr");
+    html.element("td", {}, name);
+    page.number(grouped(levels.size()));
+    page.number(grouped(found));
+    page.number(
+        levels.empty()
+            ? "-"
+            : text_of(100 * static_cast<double>(found) / static_cast<double>(level.count()), 2));
+    for (const double share : {0.05, 0.5, 0.95}) page.number(told_mm(quantile(share)));
+    html.close();
+  };
+  row("compared with the reference", forward);
+  if (reverse != nullptr && reverse->points.find("significant") != nullptr)
+    row("reference with the compared", *reverse);
+  page.close_table();
+  page.note(
+      "A distance beyond its level of detection is significant. The share is of all points; those "
+      "whose place was seen through, or that have nothing near, need no level.");
+}
+
+std::vector<PictureMark> marks_of(const Comparison& forward, const Comparison* reverse,
+                                  std::span<const ChangePlace> places) {
+  std::vector<PictureMark> out;
+  for (const ChangePlace& place : places)
+    out.push_back({std::to_string(place.row + 1), place.points(forward, reverse)});
   return out;
 }
 
-void add_changes(Page& page, const FieldTable& changes) {
-  const bool has_classes = changes.find("class") != nullptr;
-  page.heading(has_classes ? "Changes" : "Change regions");
-  const size_t rows = changes.size() == 0 ? 0 : changes.at(0)->count();
-  if (rows == 0) return page.note("Nothing has changed by more than the threshold.");
-  auto& html = page.html();
-  if (has_classes)
-    page.open_table({"No", "class", "confidence", "area before (m\xC2\xB2)",
-                     "area after (m\xC2\xB2)", "volume before (m\xC2\xB3)",
-                     "volume after (m\xC2\xB3)", "centroid before (m)", "centroid after (m)",
-                     "displacement (m)", "its \xCF\x83 (mm)"});
-  else
-    page.open_table({"No", "points", "area (m\xC2\xB2)", "volume (m\xC2\xB3)", "mean (mm)",
-                     "largest (mm)", "centroid (m)"});
-  for (size_t i = 0; i < std::min(rows, kMostRows); ++i) {
-    html.open("tr");
-    page.number(std::to_string(i + 1));
-    if (has_classes) {
-      html.element(
-          "td", {},
-          kClasses[std::min<size_t>(6, static_cast<size_t>(changes.require("class").number(i)))]);
-      page.number(text_of(changes.require("confidence").number(i), 2));
-      for (const char* name : {"area_before", "area_after", "volume_before", "volume_after"})
-        page.number(metres_of_comparison_report(changes.require(name).number(i)));
-      for (const char* name : {"centroid_before", "centroid_after", "displacement"})
-        page.number(vector_text(changes.require(name), i, 3));
-      const Column& covariance = changes.require("covariance");
-      std::string sigma;
-      for (const uint32_t k : {21u, 28u, 35u})
-        sigma += (k > 21 ? ", " : "") + mm(std::sqrt(covariance.number(i, k)));
-      page.number(sigma);
-    } else {
-      page.number(grouped(static_cast<uint64_t>(changes.require("points").number(i))));
-      for (const char* name : {"area", "volume"})
-        page.number(metres_of_comparison_report(changes.require(name).number(i)));
-      page.number(mm(changes.require("mean").number(i)));
-      page.number(mm(changes.require("extreme").number(i)));
-      page.number(vector_text(changes.require("centroid"), i, 2));
-    }
-    html.close();
-  }
-  page.close_table();
-  if (rows > kMostRows)
-    page.note("The first " + std::to_string(kMostRows) + " of " + std::to_string(rows) + ".");
-}
-
 void add_pictures(Page& page, const Comparison& forward, const Comparison* reverse,
-                  const DeviationScale& scale, Task& task) {
+                  std::span<const ChangePlace> places, const DeviationScale& scale, Task& task) {
   page.heading("Where");
   DeviationPictureSettings settings;
+  settings.marks = marks_of(forward, reverse, places);
   page.html().open("div", {{"style", kComparisonReportSideBySide}});
   settings.title = "Compared with the reference";
   page.html().raw(deviation_svg(forward, scale, settings, task));
@@ -194,20 +211,35 @@ void add_pictures(Page& page, const Comparison& forward, const Comparison* rever
     settings.title = "Reference with the compared";
     page.html().raw(deviation_svg(*reverse, scale, settings, task));
   }
+  if (forward.points.find("significant") != nullptr) {
+    settings.title = "Compared with the reference: only what is significant";
+    settings.only_significant = true;
+    page.html().raw(deviation_svg(forward, scale, settings, task));
+  }
   page.html().close();
   page.note(
-      "Points of the first-named cloud, coloured by their distance from the other; both on one "
-      "scale.");
+      std::string("Points of the first-named cloud, coloured by their distance from the other") +
+      (reverse != nullptr ? "; both on one scale." : ".") +
+      (settings.marks.empty() ? ""
+                              : " Outlines are of what changed in either epoch, numbered as "
+                                "in the table."));
 }
 
-std::string histogram_of(const Comparison& comparison, const DeviationScale& scale,
-                         const ComparisonReportSettings& settings, Task& task) {
+struct DrawnHistogram {
+  std::string svg;
+  bool has_law = false;
+};
+
+DrawnHistogram histogram_of(const Comparison& comparison, const DeviationScale& scale,
+                            const ComparisonReportSettings& settings, Task& task) {
   const double threshold_m = settings.threshold_m;
-  const Fitted fitted = fit(comparison, scale, threshold_m, settings.bins, task);
+  const Fitted fitted = fit(comparison, scale, settings, task);
   std::vector<ChartMark> marks;
   if (threshold_m > 0) marks.push_back({threshold_m, "threshold"});
   if (threshold_m > 0 && scale.is_signed) marks.push_back({-threshold_m, "threshold"});
-  return distance_chart(fitted.histogram, fitted.law ? &*fitted.law : nullptr, marks);
+  return {distance_chart(fitted.histogram, fitted.law ? &*fitted.law : nullptr, marks,
+                         fitted.law_values),
+          fitted.law.has_value()};
 }
 
 void add_histograms(Page& page, const Comparison& forward, const Comparison* reverse,
@@ -215,13 +247,19 @@ void add_histograms(Page& page, const Comparison& forward, const Comparison* rev
                     Task& task) {
   page.heading("How far");
   page.html().open("div", {{"style", kComparisonReportSideBySide}});
-  for (const Comparison* comparison : {&forward, reverse})
-    if (comparison != nullptr) page.html().raw(histogram_of(*comparison, scale, settings, task));
+  bool has_law = false;
+  for (const Comparison* comparison : {&forward, reverse}) {
+    if (comparison == nullptr) continue;
+    const DrawnHistogram drawn = histogram_of(*comparison, scale, settings, task);
+    page.html().raw(drawn.svg);
+    has_law = has_law || drawn.has_law;
+  }
   page.html().close();
-  page.note(
-      "The curve is the noise law fitted to the distances below the threshold; what rises above it "
-      "to the right "
-      "is change. Distances beyond the colour scale are not drawn.");
+  if (!has_law) return;
+  page.note(std::string("The curve is the noise law fitted to the distances ") +
+            (settings.threshold_m > 0 ? "below the threshold" : "shown") +
+            "; what rises above it " + (scale.is_signed ? "on either side" : "to the right") +
+            " is more than noise.");
 }
 
 }  // namespace
@@ -239,12 +277,15 @@ std::string comparison_html(const Comparison& forward, const Comparison* reverse
   Page page;
   open_page(page, notes.title);
   page.html().open("h1").element("bdi", {}, notes.title).close();
-  add_summary(page, forward, reverse);
-  if (settings.picture) add_pictures(page, forward, reverse, scale, task);
+  const std::vector<ChangePlace> places =
+      change_places(forward, reverse, changes, settings.threshold_m, kMostMarks, task);
+  add_summary(page, forward, reverse, !scale.is_signed);
+  if (changes.size() > 0) add_change_table(page, changes);
+  if (settings.picture) add_pictures(page, forward, reverse, places, scale, task);
   add_viewer(page, comparison_scene(forward, reverse, changes, scale), settings.viewer_points,
              task);
   add_histograms(page, forward, reverse, scale, settings, task);
-  if (changes.size() > 0) add_changes(page, changes);
+  add_detection(page, forward, reverse);
   add_more(page, forward);
   if (!notes.input.empty()) {
     page.heading("Input");
@@ -252,6 +293,13 @@ std::string comparison_html(const Comparison& forward, const Comparison* reverse
   }
   add_parameters(page, forward.parameters_json);
   add_times(page, notes);
+  if (settings.picture) {
+    const std::span<const ChangePlace> shown(places.data(), std::min(places.size(), kMostPages));
+    add_change_pages(page, forward, reverse, changes, shown, scale, task);
+    if (places.size() > kMostPages)
+      page.note("Pages for the first " + std::to_string(kMostPages) + " of " +
+                std::to_string(places.size()) + ".");
+  }
   page.note("Written by Jalon.");
   return page.html().take();
 }
@@ -259,7 +307,7 @@ std::string comparison_html(const Comparison& forward, const Comparison* reverse
 std::string comparison_histogram(const Comparison& comparison,
                                  const ComparisonReportSettings& settings, Task& task) {
   const Comparison* one[] = {&comparison};
-  return histogram_of(comparison, deviation_scale(one, settings.limit_m), settings, task);
+  return histogram_of(comparison, deviation_scale(one, settings.limit_m), settings, task).svg;
 }
 
 }  // namespace jalon

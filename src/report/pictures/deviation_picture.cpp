@@ -10,7 +10,7 @@
 #include "base/setting_rows.h"
 #include "cloud/statistics.h"
 #include "report/elevation/title_block.h"
-#include "report/pictures/label_raster.h"
+#include "report/pictures/deviation_raster.h"
 #include "report/pictures/picture_axes.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
@@ -30,64 +30,6 @@ constexpr auto kDeviationPictureRows = setting_rows(
                             "Distance at the end of the colour scale; 0 = 98 % lie within"));
 
 constexpr double kDeviationPictureText = 2.5, kBarWidth = 5, kBarHeight = 46, kLegend = 70;
-constexpr uint32_t kHiddenLabel = DeviationScale::kSteps + 1;
-constexpr const char* kAxisNames[3] = {"X (m)", "Y (m)", "Z (m)"};
-
-// Axes of the picture: to the right, up, and the one that it looks along.
-struct View {
-  int right = 0, up = 1, into = 2;
-};
-
-View view_of(const Comparison& comparison, DeviationView view, Task& task) {
-  if (view == DeviationView::kPlan) return {0, 1, 2};
-  if (view == DeviationView::kFront) return {0, 2, 1};
-  if (view == DeviationView::kSide) return {1, 2, 0};
-  // The two longest axes; heights stay upright.
-  const Box3 box = bounds(*comparison.cloud, task);
-  const Vec3 size = box.max - box.min;
-  if (size.z <= std::min(size.x, size.y)) return {0, 1, 2};
-  return size.x >= size.y ? View{0, 2, 1} : View{1, 2, 0};
-}
-
-Vec3 unit(int axis, double length = 1) {
-  Vec3 out;
-  out[axis] = length;
-  return out;
-}
-
-LabelRaster raster_of(const Comparison& comparison, const DeviationScale& scale, const View& view,
-                      Task& task) {
-  const auto distance = comparison.points.require("distance").values<double>();
-  const auto status = comparison.points.require("status").values<uint8_t>();
-  std::vector<uint32_t> labels(distance.size());
-  parallel_for(task, labels.size(), 1 << 16, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i)
-      labels[i] = std::isfinite(distance[i]) ? scale.step_of(distance[i]) + 1
-                  : status[i] == static_cast<uint8_t>(CompareStatus::kHidden) ? kHiddenLabel
-                                                                              : 0;
-  });
-  const Vec3 origin = local_origin(*comparison.cloud, task);
-  // Plan: seen from above. Front and side: the eye at the low end of the axis looked along.
-  const Projection projection{origin,
-                              unit(view.right),
-                              unit(view.up),
-                              unit(view.into, view.into == 2 ? -1 : 1),
-                              {origin[view.right], origin[view.up]}};
-  return rasterise_points(*comparison.cloud, labels, projection, task);
-}
-
-IndexedImage image_of(const LabelRaster& raster, const DeviationScale& scale) {
-  IndexedImage image{raster.columns, raster.rows, {}, {{0xff, 0xff, 0xff}, kNotComparedColour}};
-  for (uint32_t step = 0; step < DeviationScale::kSteps; ++step)
-    image.palette.push_back(scale.colour(step));
-  image.palette.push_back(kHiddenColour);
-  image.pixels.reserve(raster.labels.size());
-  for (const uint32_t label : raster.labels)
-    image.pixels.push_back(label == LabelRaster::kEmpty   ? uint8_t{0}
-                           : label == LabelRaster::kNoise ? uint8_t{1}
-                                                          : static_cast<uint8_t>(label + 1));
-  return image;
-}
 
 void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const char* text) {
   svg.leaf("rect", {{"x", x},
@@ -101,7 +43,7 @@ void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const char* t
 }
 
 // The colour scale in millimetres or metres, whatever has fewer digits.
-void draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet) {
+void draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet, const char* grey) {
   const double x = sheet.legend.x + 3, top = std::max(sheet.legend.y + 8, sheet.view.y + 4);
   const bool in_mm = scale.limit_m < 1;
   const double factor = in_mm ? 1000 : 1, low = scale.lowest_m() * factor,
@@ -130,7 +72,7 @@ void draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet)
              ticks.label(value));
   }
   swatch(svg, x, top + kBarHeight + 5, kHiddenColour, "hidden");
-  swatch(svg, x, top + kBarHeight + 10, kNotComparedColour, "not compared");
+  swatch(svg, x, top + kBarHeight + 10, kNotComparedColour, grey);
 }
 
 }  // namespace
@@ -140,8 +82,10 @@ std::span<const ParamRow> deviation_picture_rows() { return kDeviationPictureRow
 std::string deviation_svg(const Comparison& comparison, const DeviationScale& scale,
                           const DeviationPictureSettings& settings, Task& task) {
   const ProgressSpan span(task, 0, 1, "drawing the distances");
-  const View view = view_of(comparison, settings.view, task);
-  const LabelRaster raster = raster_of(comparison, scale, view, task);
+  const DeviationAxes view = axes_of(comparison, settings.view, task);
+  const Projection projection = view.projection(local_origin(*comparison.cloud, task));
+  const LabelRaster raster =
+      deviation_raster(comparison, scale, projection, settings.only_significant, task);
   const bool is_empty = raster.labels.empty();
   const Sheet sheet = lay_out_figure(is_empty ? 10 : raster.width_m(),
                                      is_empty ? 5 : raster.height_m(), {}, kLegend);
@@ -158,8 +102,8 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
                        {"height", v.height},
                        {"preserveAspectRatio", "none"},
                        {"style", "image-rendering:pixelated"},
-                       {"xlink:href",
-                        "data:image/png;base64," + base64_of(png_of(image_of(raster, scale)))}});
+                       {"xlink:href", "data:image/png;base64," +
+                                          base64_of(png_of(deviation_image(raster, scale)))}});
   svg.leaf("rect", {{"x", v.x},
                     {"y", v.y},
                     {"width", v.width},
@@ -167,8 +111,17 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
                     {"fill", "none"},
                     {"stroke", kInk},
                     {"stroke-width", 0.25}});
-  if (!is_empty) draw_axes(svg, raster, sheet, {kAxisNames[view.right], kAxisNames[view.up]});
-  draw_scale(svg, scale, sheet);
+  if (!is_empty)
+    draw_picture_marks(
+        svg, settings.marks,
+        [&](const Vec3& p) {
+          const Vec2 at = projection.flat(p);
+          return Vec2{v.x + (at.u - raster.low.u) / raster.width_m() * v.width,
+                      v.bottom() - (at.v - raster.low.v) / raster.height_m() * v.height};
+        },
+        v);
+  if (!is_empty) draw_axes(svg, raster, sheet, {view.right_name(), view.up_name()});
+  draw_scale(svg, scale, sheet, settings.only_significant ? "not significant" : "not compared");
   draw_scale_bar(svg, sheet);
   return svg.take();
 }
@@ -176,12 +129,15 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
 std::string deviation_png(const Comparison& comparison, const DeviationScale& scale,
                           const DeviationPictureSettings& settings, Task& task) {
   const ProgressSpan span(task, 0, 1, "drawing the distances");
-  LabelRaster raster = raster_of(comparison, scale, view_of(comparison, settings.view, task), task);
+  const DeviationAxes view = axes_of(comparison, settings.view, task);
+  LabelRaster raster =
+      deviation_raster(comparison, scale, view.projection(local_origin(*comparison.cloud, task)),
+                       settings.only_significant, task);
   if (raster.labels.empty()) {  // a picture has at least one pixel
     raster.columns = raster.rows = 1;
     raster.labels.assign(1, LabelRaster::kEmpty);
   }
-  return png_of(image_of(raster, scale));
+  return png_of(deviation_image(raster, scale));
 }
 
 }  // namespace jalon

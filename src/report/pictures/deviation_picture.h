@@ -8,6 +8,7 @@
 #include "base/task.h"
 #include "compare/comparison.h"
 #include "report/pictures/deviation_colours.h"
+#include "report/pictures/picture_marks.h"
 
 namespace jalon {
 
@@ -18,6 +19,9 @@ struct DeviationPictureSettings {
   std::string title;  ///< "" = "Distances"
   DeviationView view = DeviationView::kAuto;
   double limit_m = 0;  ///< of the colour scale, which the caller makes; 0 = 98 % lie within
+  /// Only points whose distance the comparison calls significant have its colour.
+  bool only_significant = false;
+  std::vector<PictureMark> marks{};  ///< drawn over the points of the figure
 };
 std::span<const ParamRow> deviation_picture_rows();
 

@@ -26,27 +26,6 @@ std::vector<double> noisy_distances(size_t n, double sigma_m, uint64_t seed) {
   return out;
 }
 
-std::string page_of_changes(const FieldTable& changes) {
-  Task task;
-  const Comparison forward = comparison_of(noisy_distances(100, 0.002, 1));
-  return comparison_html(forward, nullptr, changes, "", {.picture = false}, task);
-}
-
-FieldTable regions_of(size_t rows) {
-  FieldTable out;
-  std::vector<double> numbers(rows);
-  for (size_t i = 0; i < rows; ++i) numbers[i] = static_cast<double>(i + 1);
-  for (const char* name : {"area", "volume", "mean", "extreme"})
-    add_column<double>(out, numbers, name, "", "", [](double v) { return 0.001 * v; });
-  add_column<uint64_t>(out, numbers, "points", "", "", [](double v) { return v; });
-  add_columns<double, 3>(out, numbers, "centroid", "m", "", [](double v, double* o) {
-    o[0] = v;
-    o[1] = -v;
-    o[2] = NAN;
-  });
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("comparison_report__summary_has_a_row_a_direction_with_recounted_numbers") {
@@ -77,6 +56,8 @@ TEST_CASE("comparison_report__summary_has_a_row_a_direction_with_recounted_numbe
   REQUIRE(precision.size() == 1);
   CHECK(precision[0] == page_scenes::Row{"mean_lod: mean level of detection", "4.20 mm"});
   CHECK(has(html, ">Where<"));
+  CHECK(!has(html, "Hausdorff"));  // the distances have signs
+  CHECK(!has(html, ">Significance<"));
   const std::string one = comparison_html(forward, nullptr, {}, "", {.picture = false}, task);
   CHECK(tables_of(one, "Summary").at(0).size() == 2);
   CHECK(!has(one, ">Where<"));
@@ -95,7 +76,10 @@ TEST_CASE("comparison_report__noise_law_is_that_of_the_distances_below_the_thres
   CHECK(has(quiet, "threshold 10.0 mm"));
   CHECK(has(quiet, "threshold -10.0 mm"));  // the distances have signs
   const std::string all = comparison_histogram(comparison, {}, task);
-  CHECK(number_after(all, sigma) > 10);  // the changes are in it
+  CHECK(std::abs(number_after(all, sigma) - 2) < 0.3);  // of the body: the changes are not in it
+  CHECK(has(all, "200 beyond 20.0 mm (9.09 %)"));
+  const std::string asked = comparison_histogram(comparison, {.limit_m = 0.1}, task);
+  CHECK(number_after(asked, sigma) > 10);  // as far as was asked for, the changes too
   CHECK(!has(all, "threshold"));
   for (double& d : distances) d = std::abs(d);
   const std::string unsigned_ones =
@@ -108,43 +92,23 @@ TEST_CASE("comparison_report__noise_law_is_that_of_the_distances_below_the_thres
   CHECK(!has(still, "Weibull"));
 }
 
-TEST_CASE("comparison_report__regions_are_listed_up_to_500_and_their_number_is_told") {
-  const std::string html = page_of_changes(regions_of(501));
+TEST_CASE("comparison_report__significance_tells_how_far_is_far_and_how_many_are") {
+  Comparison forward = comparison_of(std::vector<double>(1000, 0.01));
+  std::vector<uint8_t> significant(1000, 0);
+  std::vector<float> level(1000);
+  for (size_t i = 0; i < 1000; ++i) {
+    level[i] = 1e-5F * static_cast<float>(i);
+    significant[i] = i < 250 ? 1 : 0;
+  }
+  forward.points.set(make_column<uint8_t>({"significant"}, significant));
+  forward.points.set(make_column<float>({"level_of_detection"}, level));
+  Task task;
+  const std::string html = comparison_html(forward, nullptr, {}, "", {}, task);
   CHECK(markup::well_formed(html));
-  const auto table = tables_of(html, "Change regions").at(0);
-  REQUIRE(table.size() == 501);
-  CHECK(table[500] ==
-        page_scenes::Row{"500", "500", "0.500", "0.500", "500.00", "500.00", "500.00, -500.00, -"});
-  CHECK(has(html, "The first 500 of 501."));
-  CHECK(!has(page_of_changes(regions_of(500)), "The first 500"));
-  CHECK(has(page_of_changes(regions_of(0)), "Nothing has changed by more than the threshold."));
-  CHECK(!has(page_of_changes({}), "Change regions"));
-}
-
-TEST_CASE("comparison_report__changes_have_their_class_and_the_sigma_of_their_displacement") {
-  FieldTable changes;
-  const std::vector<int> classes{4, 1};
-  add_column<uint8_t>(changes, classes, "class", "", "", [](int c) { return c; });
-  for (const char* name :
-       {"confidence", "area_before", "area_after", "volume_before", "volume_after"})
-    add_column<double>(changes, classes, name, "", "", [](int c) { return 0.25 * c; });
-  for (const char* name : {"centroid_before", "centroid_after", "displacement"})
-    add_columns<double, 3>(changes, classes, name, "m", "", [](int c, double* o) {
-      for (int k = 0; k < 3; ++k) o[k] = c == 4 ? 0.1 * (k + 1) : NAN;
-    });
-  // Of the displacement 1, 2 and 3 mm; those of the rotation are something else.
-  add_columns<double, 36>(changes, classes, "covariance", "", "", [](int c, double* o) {
-    for (int k = 0; k < 36; ++k) o[k] = c == 4 ? 7 : NAN;
-    for (int k = 0; k < 3; ++k)
-      if (c == 4) o[6 * (3 + k) + 3 + k] = 1e-6 * (k + 1) * (k + 1);
-  });
-  const auto table = tables_of(page_of_changes(changes), "Changes").at(0);
-  REQUIRE(table.size() == 3);
-  REQUIRE(table[1].size() == 11);
-  CHECK(table[1][1] == "displacement with overlap");
-  CHECK(table[1][9] == "0.100, 0.200, 0.300");
-  CHECK(table[1][10] == "1.00, 2.00, 3.00");
-  CHECK(table[2][1] == "appearance");
-  CHECK(table[2][2] == "0.25");
-  CHECK(table[2][10] == "-, -, -");
+  const auto table = tables_of(html, "Significance").at(0);
+  REQUIRE(table.size() == 2);
+  CHECK(table[1] == page_scenes::Row{"compared with the reference", "1 000", "250", "25.00", "0.49",
+                                     "4.99", "9.49"});
+  CHECK(has(html, "only what is significant"));
+  CHECK(has(html, "directed Hausdorff distance"));
 }
