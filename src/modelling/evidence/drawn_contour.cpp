@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "geometry/polygon2.h"
@@ -229,6 +230,23 @@ Cutting cutting_of(const DrawnShape& drawn, const Chain& outline, double spacing
   return out;
 }
 
+// What openings at the border and their ways out leave of a piece.
+std::vector<ContourPiece> parts_left(const ContourPiece& piece,
+                                     std::span<const PolygonWithHoles> cut, double spacing_m,
+                                     const ContourSetting& setting) {
+  std::vector<ContourPiece> out;
+  if (cut.empty()) {
+    out.push_back({piece.outline, {}, piece.area_m2});
+    return out;
+  }
+  const PolygonWithHoles whole{piece.outline, {}};
+  for (const PolygonWithHoles& left : combined(SetOperation::kDifference, {{whole}}, cut)) {
+    const double area = signed_area(left.outline);
+    if (area >= setting.min_area_m2) out.push_back({dense(left.outline, spacing_m), {}, area});
+  }
+  return out;
+}
+
 // Step 3, one piece: openings inside it, and what the others leave of it.
 std::vector<ContourPiece> with_openings(const ContourPiece& piece,
                                         std::span<const DrawnShape> shapes, double spacing_m,
@@ -245,15 +263,20 @@ std::vector<ContourPiece> with_openings(const ContourPiece& piece,
       cut.insert(cut.end(), cutting.polygons.begin(), cutting.polygons.end());
     else inside.push_back({drawn.hole.empty() ? dense(polygon, spacing_m) : polygon, drawn.form});
   }
-  std::vector<ContourPiece> out;
-  if (cut.empty()) {
-    out.push_back({piece.outline, {}, piece.area_m2});
-  } else {
-    const PolygonWithHoles whole{piece.outline, {}};
-    for (const PolygonWithHoles& left : combined(SetOperation::kDifference, {{whole}}, cut)) {
-      const double area = signed_area(left.outline);
-      if (area >= setting.min_area_m2) out.push_back({dense(left.outline, spacing_m), {}, area});
-    }
+  std::vector<ContourPiece> out = parts_left(piece, cut, spacing_m, setting);
+  // The way out of a broad opening may lead to one inside the piece, which is at the border then.
+  const auto is_met = [&](const std::pair<Chain, VectorRing>& opening) {
+    return std::none_of(out.begin(), out.end(), [&](const ContourPiece& part) {
+      return is_apart(opening.first, part.outline, spacing_m);
+    });
+  };
+  while (!cut.empty()) {
+    const auto met = std::stable_partition(inside.begin(), inside.end(), std::not_fn(is_met));
+    if (met == inside.end()) break;
+    for (auto opening = met; opening != inside.end(); ++opening)
+      cut.push_back({std::move(opening->first), {}});
+    inside.erase(met, inside.end());
+    out = parts_left(piece, cut, spacing_m, setting);
   }
   for (auto& [chain, form] : inside)
     for (ContourPiece& part : out)

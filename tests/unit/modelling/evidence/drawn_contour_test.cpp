@@ -112,3 +112,43 @@ TEST_CASE("drawn_contour__what_was_not_measured_never_lies_over_an_opening_that_
   CHECK(-signed_area(contour.pieces[0].openings[0]) ==
         doctest::Approx(2 * 2 + 0.7 * 1.2).epsilon(0.05));
 }
+
+TEST_CASE("drawn_contour__an_opening_in_the_way_out_of_a_broad_one_is_at_the_border_too") {
+  // A band stands on a pier, with a broad opening between them that is open below beside the pier; a slot ends under it.
+  const OpeningShape broad = rectangle(0.5, 7.5, 2, 4), slot = rectangle(6, 6.3, 0.8, 1.86);
+  std::vector<Vec2> points;
+  for (double u = kApart_m / 2; u < 8; u += kApart_m)
+    for (double v = kApart_m / 2; v < 5; v += kApart_m)
+      if ((v > 4 || u > 5.4) && !is_within(broad, {u, v}) && !is_within(slot, {u, v}) &&
+          (v > 4 || u < 7))
+        points.push_back({u, v});
+  WallCells cells = painted::cells_of(122, 76, WallState::kOn, 2.2 * kApart_m);
+  for (uint32_t r = 0; r < cells.rows; ++r)
+    for (uint32_t c = 0; c < cells.columns; ++c)
+      if (const Vec2 p = Vec2{c + 0.5, r + 0.5} * cells.cell_m;
+          is_within(broad, p) || is_within(slot, p))
+        cells.states[size_t{r} * cells.columns + c] = WallState::kThrough;
+  std::vector<OpeningCandidate> candidates(2);
+  candidates[0].shape = broad, candidates[1].shape = slot;
+  for (OpeningCandidate& c : candidates) c.is_opening = true;
+  Task task;
+  const Contour contour =
+      drawn_contour(points, candidates, extract_contour(points, {}, task), cells, {}, {}, task);
+  CHECK(contour.pieces.size() == 2);
+  const auto is_wall = [&](const Vec2& p) {
+    return std::any_of(
+        contour.pieces.begin(), contour.pieces.end(), [&](const ContourPiece& piece) {
+          return contains(piece.outline, p) &&
+                 std::none_of(piece.openings.begin(), piece.openings.end(),
+                              [&](const Chain& opening) { return contains(opening, p); });
+        });
+  };
+  for (const ContourPiece& piece : contour.pieces)
+    for (const Chain& opening : piece.openings)
+      for (const Vec2& p : opening) CHECK(contains(piece.outline, p));
+  CHECK(is_wall({5.7, 1}));
+  CHECK(is_wall({6.65, 1}));
+  CHECK(is_wall({6.15, 0.5}));
+  CHECK(is_wall({4, 4.5}));
+  for (const double v : {1.0, 1.8, 1.95, 3.0}) CHECK_FALSE(is_wall({6.15, v}));
+}
