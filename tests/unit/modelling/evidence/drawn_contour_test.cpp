@@ -114,7 +114,8 @@ TEST_CASE("drawn_contour__what_was_not_measured_never_lies_over_an_opening_that_
 }
 
 TEST_CASE("drawn_contour__an_opening_in_the_way_out_of_a_broad_one_is_at_the_border_too") {
-  // A band stands on a pier, with a broad opening between them that is open below beside the pier; a slot ends under it.
+  // A band stands on a pier, with a broad opening between them that is open below beside the pier; a slot ends below
+  // it.
   const OpeningShape broad = rectangle(0.5, 7.5, 2, 4), slot = rectangle(6, 6.3, 0.8, 1.86);
   std::vector<Vec2> points;
   for (double u = kApart_m / 2; u < 8; u += kApart_m)
