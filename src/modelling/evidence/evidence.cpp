@@ -27,13 +27,6 @@ std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates
   return out;
 }
 
-// The wall's own points end where surrounds begin, and so do the holes of their contour.
-bool has_settled(std::span<const OpeningCandidate> candidates) {
-  return std::any_of(candidates.begin(), candidates.end(), [](const OpeningCandidate& candidate) {
-    return candidate.is_opening && candidate.is_settled;
-  });
-}
-
 }  // namespace
 
 void look_at_planes(const Segmentation& segmentation, std::span<const size_t> segments,
@@ -99,8 +92,7 @@ ContourMaker contours_by(std::vector<WallEvidence>& evidence) {
                      const ForeignTest& foreign, Task& task) {
     WallEvidence& wall = evidence[segment];
     Contour plain = extract_contour(points, setting, task, foreign);
-    wall.is_plain =
-        wall.is_wall() && !has_settled(wall.openings) && shows(plain, shapes_of(wall.openings));
+    wall.is_plain = wall.is_wall() && shows(plain, shapes_of(wall.openings));
     if (!wall.is_drawn()) return plain;
     return drawn_contour(points, wall.openings, plain, wall.cells, setting, foreign, task);
   };

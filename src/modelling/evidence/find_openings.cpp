@@ -20,10 +20,7 @@ namespace {
 constexpr int64_t kOnScore = -6000, kReliefScore = -2000, kStripScore = -400, kThroughScore = 200,
                   kProudScore = -400, kHiddenScore = 15, kEmptyScore = 100, kOutsideScore = -50,
                   kTakenScore = -300;
-constexpr double kLeastArea_m2 = 0.03;
-// Between cells with a point of the wall an opening of five spacings leaves two: it is one if it was seen through;
-// what nothing was seen through may be a gap between random points.
-constexpr double kLeastCells = 2, kNarrowCells = 2.5, kLeastBoxCells = 6, kSeenOfNarrow = 0.5;
+constexpr double kLeastArea_m2 = 0.03, kLeastCells = 2.5;
 constexpr size_t kMostBoxes = 2000;
 constexpr double kLeastSum = 6;     // of weights: three cells that were seen through, and no wall
 constexpr double kMostTaken = 0.2;  // of its cells by better ones
@@ -71,7 +68,8 @@ class BoxSearch {
  public:
   BoxSearch(const WallCells& cells, const OpeningSearch& setting)
       : cells_(cells), regions_(cells.columns, cells.rows), taken_(cells.states.size(), 0) {
-    least_cells_ = std::max(kLeastArea_m2 / (cells.cell_m * cells.cell_m), kLeastBoxCells);
+    least_cells_ =
+        std::max(kLeastArea_m2 / (cells.cell_m * cells.cell_m), kLeastCells * kLeastCells);
     least_side_ = std::max(kLeastCells, setting.least_width_m / cells.cell_m);
   }
 
@@ -100,17 +98,8 @@ class BoxSearch {
 
  private:
   bool is_large(const CellBox& box) const {
-    if (box.width() < least_side_ || box.height() < least_side_ ||
-        static_cast<double>(box.width()) * box.height() < least_cells_)
-      return false;
-    return std::min(box.width(), box.height()) >= kNarrowCells || seen_share(box) >= kSeenOfNarrow;
-  }
-
-  double seen_share(const CellBox& box) const {
-    size_t seen = 0;
-    for (uint32_t r = box.r0; r < box.r1; ++r)
-      for (uint32_t c = box.c0; c < box.c1; ++c) seen += cells_.at(c, r) == WallState::kThrough;
-    return static_cast<double>(seen) / (static_cast<double>(box.width()) * box.height());
+    return box.width() >= least_side_ && box.height() >= least_side_ &&
+           static_cast<double>(box.width()) * box.height() >= least_cells_;
   }
 
   // The best box in the region's own box.
@@ -197,7 +186,6 @@ OpeningCandidate candidate_of(const WallCells& cells, const OpeningShape& shape)
   });
   out.bordered = bordered_share(cells, shape, Sides::kAll);
   out.framed = framed_share(cells, shape);
-  out.jambs = framed_share(cells, shape, Sides::kSteep);
   out.relief = relief_share(cells, shape);
   out.shape = shape.placed(cells.cell_m, cells.origin);
   const OpenEnds open = open_ends(cells, shape);

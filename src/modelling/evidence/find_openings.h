@@ -24,14 +24,12 @@ struct OpeningCandidate {
   StateCounts inside;
   double bordered = 0;  ///< share of its border along which the wall was measured
   double framed = 0;  ///< share of its border, less the wall's foot, beyond which the wall is broad
-  double jambs = 0;   ///< the same share of its steep sides alone
   double relief = 0;  ///< share of that along which relief covers the wall
   bool is_opening = false;     ///< else nothing tells an opening from what was not looked at
   bool is_open_above = false;  ///< no wall over its head
   bool ends_at_wall = false;   ///< it would be one, but another wall begins there (plane_roles.h)
   bool is_settled =
       false;  ///< relief covers the wall about it: its shape is fitted to points (point_fit.h)
-  OpeningShape unsettled;  ///< before that
 };
 
 /// Of the border of an opening that relief covers the wall along: there the wall's own points end elsewhere.

@@ -27,9 +27,6 @@ constexpr double kCornice_m = 0.6;                   // strips of a wall stand n
 constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
 constexpr size_t kLookedAtCells = 20000;
 constexpr double kFilledShare = 0.5;
-constexpr double kLargestGate_m2 = 33;  // 4.6 x 7.1 m in one of the real streets
-constexpr double kMostOfBay = 2.0 / 3;  // framed: of a bay as wide as high that is open above
-constexpr size_t kLeastWindows = 2;     // of a wall that stands back: a gate may have one
 
 bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
   const uint32_t k = kWellInside;
@@ -70,10 +67,6 @@ struct Foot {
 
 double share_of(size_t part, size_t all) {
   return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0;
-}
-
-double area_of(const OpeningCandidate& opening, const WallCells& cells) {
-  return opening.inside.all() * cells.cell_m * cells.cell_m;
 }
 
 // Whether a place before a plane lies in an opening of the wall. Walls have windows; gates and shutters, which may be
@@ -138,6 +131,10 @@ double tall_share(const WallCells& cells) {
 
 bool is_sparse(const WallEvidence& plane) {
   return plane.measured_m2 < kSparseShare * plane.gross_m2;
+}
+
+double area_of(const OpeningCandidate& opening, const WallCells& cells) {
+  return opening.inside.all() * cells.cell_m * cells.cell_m;
 }
 
 bool has_shop_fronts(const WallEvidence& plane) {
@@ -251,41 +248,6 @@ double filled_share(const WallCells& cells, const OpeningShape& shape, const Wal
          (box.width() * box.height());
 }
 
-// Whether a plane that fills an opening is a wall: larger than any gate, with several openings of its own there.
-bool is_wall_in(const OpeningCandidate& opening, const WallEvidence& front,
-                const WallEvidence& plane) {
-  if (area_of(opening, front.cells) < kLargestGate_m2 || opening.framed > kMostOfBay) return false;
-  size_t windows = 0;
-  double windows_m2 = 0;
-  for (const OpeningCandidate& own : plane.openings) {
-    if (!own.is_opening || own.framed < kFramedShare) continue;
-    const Foot foot(front.cells, plane.cells.frame.lift(own.shape.box().middle()));
-    if (foot.depth_m <= 0 || foot.depth_m > kFillingDepth_m || !opening.shape.holds(foot.at))
-      continue;
-    ++windows;
-    windows_m2 += area_of(own, plane.cells);
-  }
-  const RingBox box = opening.shape.box();
-  return windows >= kLeastWindows && filled_share(front.cells, opening.shape, plane.cells) +
-                                             windows_m2 / (box.width() * box.height()) >=
-                                         kFilledShare;
-}
-
-// Before step 2: what a plane leaves open because another wall stands back there is nothing that it explains.
-void end_at_windowed_walls(std::vector<WallEvidence>& all, Task& task) {
-  for (WallEvidence& front : all)
-    for (OpeningCandidate& opening : front.openings)
-      for (const WallEvidence& plane : all) {
-        if (!opening.is_opening) break;
-        if (&plane == &front || plane.empty() || plane.role != PlaneRole::kWall ||
-            dot(plane.cells.frame.normal, front.cells.frame.normal) < kSameWay)
-          continue;
-        task.checkpoint(0);
-        if (is_wall_in(opening, front, plane))
-          opening.is_opening = false, opening.ends_at_wall = true;
-      }
-}
-
 void end_at_other_walls(std::vector<WallEvidence>& all, const std::vector<size_t>& order,
                         Task& task) {
   for (const size_t s : order) {
@@ -331,7 +293,6 @@ void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task
   forget(all);
   // 1. Rooms.
   tell_rooms(all, task);
-  end_at_windowed_walls(all, task);
   // 2. Surrounds, panes and leaves.
   const std::vector<size_t> order = by_what_they_explain(all);
   std::vector<const WallEvidence*> walls;

@@ -16,9 +16,7 @@ namespace jalon {
 ///    of it, and its openings as far as it frames them. So a lattice of posts comes before the panes in its bays, and
 ///    a wall before the surrounds of its windows, however far apart they stand.
 /// 3. What was taken for an opening but is not framed, and another wall with openings of its own fills it: there the
-///    one wall ends and the other begins (a house that stands back by a hand's breadth). Told before step 2 where what
-///    fills it is larger than a gate, has several framed openings there and is framed on two sides at most: the middle
-///    of a house between its wings.
+///    one wall ends and the other begins (a house that stands back by a hand's breadth).
 ///
 /// Before: cells, openings and areas; after: role, and is_opening of step 3. The same bits for any number of threads.
 /// O(planes^2) looks at up to 20 000 cells each.

@@ -20,7 +20,6 @@ constexpr double kInOpening = 0.6;     // of the cells of a back wall
 constexpr double kHeld = 0.05;         // of them, in one opening
 constexpr size_t kDepths = 8;          // equal parts of the depth
 constexpr double kCoveredShare = 0.8;  // of them, along one side
-constexpr double kAboveFloor = 0.5;    // of an opening's height: less is not of that loggia
 constexpr double kMostlyJoined = 0.5;  // of the wall's cells in openings
 constexpr double kRimCells =
     2;  // of the wall before it: its sides are seen this near to the border
@@ -57,40 +56,6 @@ struct Recess {
     });
   }
 };
-
-// The openings of walls, in the plane of the one behind them.
-std::vector<RingBox> loggias_before(const WallEvidence& back,
-                                    std::span<const WallEvidence* const> fronts) {
-  std::vector<RingBox> out;
-  for (const WallEvidence* front : fronts)
-    for (const OpeningCandidate& loggia : front->openings) {
-      if (!loggia.is_opening) continue;
-      RingBox& box = out.emplace_back();
-      for (const Vec2& corner : {loggia.shape.box().low, loggia.shape.box().high})
-        box.add(back.cells.frame.project(front->cells.frame.lift(corner)));
-    }
-  return out;
-}
-
-// The openings of a loggia's back wall are seen through the loggia and end at its floor, also where a parapet hides
-// that: below it is another loggia, beside it a wall between two of them.
-void end_at_floors(std::span<const WallEvidence* const> fronts, WallEvidence& back) {
-  const std::vector<RingBox> loggias = loggias_before(back, fronts);
-  for (OpeningCandidate& opening : back.openings) {
-    if (!opening.is_opening || opening.shape.kind == ShapeKind::kCircle) continue;
-    const RingBox own = opening.shape.box();
-    const auto loggia = std::max_element(
-        loggias.begin(), loggias.end(),
-        [&](const RingBox& a, const RingBox& b) { return overlap(a, own) < overlap(b, own); });
-    if (loggia == loggias.end()) continue;
-    OpeningShape ended = opening.shape;
-    ended.sizes[2] = std::max(own.low.v, loggia->low.v);
-    const bool is_in = own.middle().u >= loggia->low.u && own.middle().u <= loggia->high.u &&
-                       ended.is_valid() && ended.box().height() >= kAboveFloor * own.height();
-    if (is_in) opening.shape = ended;
-    else opening.is_opening = false, opening.ends_at_wall = true;
-  }
-}
 
 // The openings of a wall that a plane is seen through; none where it lies elsewhere or at a pane's depth.
 std::vector<Recess> recesses_of(const WallEvidence& plane, const WallEvidence& front) {
@@ -158,7 +123,7 @@ void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& 
     for (size_t i = begin; i < end; ++i)
       for (Recess& recess : recesses) recess.look(cloud.point(i));
   });
-  // 3. Walls that are joined to the one before them, and their floors.
+  // 3. Walls that are joined to the one before them.
   std::vector<size_t> cells(all.size(), 0), joined(all.size(), 0);
   for (size_t k = 0; k < recesses.size(); ++k) {
     cells[back[k]] += recesses[k].cells;
@@ -167,15 +132,6 @@ void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& 
   for (size_t s = 0; s < all.size(); ++s)
     all[s].is_recess = joined[s] > 0 && static_cast<double>(joined[s]) >=
                                             kMostlyJoined * static_cast<double>(cells[s]);
-  for (size_t s = 0; s < all.size(); ++s) {
-    if (!all[s].is_recess) continue;
-    std::vector<const WallEvidence*> fronts;
-    for (size_t k = 0; k < recesses.size(); ++k)
-      if (back[k] == s &&
-          std::find(fronts.begin(), fronts.end(), recesses[k].front) == fronts.end())
-        fronts.push_back(recesses[k].front);
-    end_at_floors(fronts, all[s]);
-  }
 }
 
 }  // namespace jalon

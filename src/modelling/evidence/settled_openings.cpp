@@ -23,12 +23,9 @@ struct CoveredOpening {
 std::vector<CoveredOpening> covered_openings(WallEvidence& wall) {
   std::vector<CoveredOpening> out;
   if (!wall.is_wall()) return out;
-  for (OpeningCandidate& opening : wall.openings) {
-    if (!opening.is_opening || opening.relief < kReliefShare) continue;
-    if (opening.is_settled)
-      opening.shape = opening.unsettled;  // what covers the wall is told again
-    out.push_back({&opening, fitting_window(opening.shape, wall.cells), {}});
-  }
+  for (OpeningCandidate& opening : wall.openings)
+    if (opening.is_opening && opening.relief >= kReliefShare && !opening.is_settled)
+      out.push_back({&opening, fitting_window(opening.shape, wall.cells), {}});
   return out;
 }
 
@@ -63,7 +60,6 @@ void settle_openings(const Segmentation& segmentation, double relief_m,
       }
       for (const CoveredOpening& c : covered) {
         task.checkpoint(0);
-        c.opening->unsettled = c.opening->shape;
         c.opening->shape = fitted_to_points(c.opening->shape, wall.cells, c.solid);
         c.opening->is_settled = true;
       }

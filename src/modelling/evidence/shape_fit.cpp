@@ -60,10 +60,6 @@ class Window {
     }
     return sum - cost_ * static_cast<double>(shape.size_count());
   }
-  // The score without what its sizes cost.
-  double explained(const FittedShape& fitted) const {
-    return fitted.score + cost_ * static_cast<double>(fitted.shape.size_count());
-  }
   bool holds(const RingBox& box) const {
     return box.low.u >= low_.c0 && box.low.v >= low_.r0 && box.high.u <= low_.c1 &&
            box.high.v <= low_.r1;
@@ -147,12 +143,11 @@ FittedShape fitted_shape(const WallCells& cells, std::span<const uint8_t> taken,
       stays.score > best.score)
     best = stays;
   const RingBox grown = best.shape.box();
-  const double straight = best.score, straight_cells = window.explained(best);
+  const double straight = best.score;
   for (const ShapeKind kind : kOtherKinds)
     for (const RingBox& from : {start, grown}) {
       FittedShape other = climbed_from(shape_in(kind, from));
       if (other.score > best.score && other.score > weights.clearly * straight &&
-          window.explained(other) > weights.clearly * straight_cells &&
           (is_head_seen ? is_head_seen(other.shape) : has_seen_head(cells, other.shape)))
         best = std::move(other);
     }

@@ -11,7 +11,6 @@
 #include "modelling/walls/border_evidence.h"
 #include "modelling/walls/evident_holes.h"
 #include "modelling/walls/joinery.h"
-#include "modelling/walls/leaf_foot.h"
 #include "modelling/walls/opening_content.h"
 
 namespace jalon {
@@ -117,14 +116,16 @@ void measure_depth(const HoleContent& content, const HoleFiller* joinery,
 
 // A leaf that goes on below the wall's border (a plinth stands before it, or the wall's foot was not seen) takes the
 // opening down to its own foot; the wall's corners stay.
-void lower_to(double foot_v, VectorRing& outline) {
+void lower_to_foot(const HoleFiller* joinery, VectorRing& outline) {
+  if (joinery == nullptr) return;
   const Vec2 left = outline.corners[0], right = outline.corners[1];
-  if (foot_v > std::min(left.v, right.v) - kFootStep_m) return;
+  if (joinery->low_v > std::min(left.v, right.v) - kFootStep_m) return;
   VectorEdge jamb;
   jamb.direction = EdgeDirection::kVertical;
   VectorEdge foot;
   foot.direction = EdgeDirection::kHorizontal;
-  outline.corners.insert(outline.corners.begin() + 1, {{left.u, foot_v}, {right.u, foot_v}});
+  outline.corners.insert(outline.corners.begin() + 1,
+                         {{left.u, joinery->low_v}, {right.u, joinery->low_v}});
   outline.edges.erase(outline.edges.begin());
   outline.edges.insert(outline.edges.begin(), {jamb, foot, jamb});
 }
@@ -140,7 +141,7 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     task.checkpoint(0);
     WallHole hole = holes[h];
     const HoleSurvey& seen = survey.holes[h];
-    if (hole.is_bay && !hole.is_evident && candidates.empty() &&
+    if (hole.is_bay && candidates.empty() &&
         !fit_to_content(hole, seen, wall.map, survey.tolerance_m))
       continue;
     const HoleContent content =
@@ -149,7 +150,6 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     const HoleFiller* joinery = closing.filler;
     Verdict verdict = judge(hole, seen, content, joinery, survey.tolerance_m);
     if (!candidates.empty()) verdict = by_candidates(verdict, hole, candidates);
-    else if (hole.is_evident && !verdict.is_opening) verdict = {true, Evidence::kShape};
     if (!verdict.is_opening) {
       wall.shadows.push_back({hole.outline, hole.piece, hole.is_notch});
       continue;
@@ -165,8 +165,7 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     std::erase(opening.standing_labels, opening.joinery_label);
     measure_border(wall, seen, opening);
     const double foot = ring_box(wall.outlines[hole.piece]).low.v;
-    if (hole.is_notch && joinery != nullptr)
-      lower_to(leaf_foot(seen, joinery->label, opening.outline), opening.outline);
+    if (hole.is_notch) lower_to_foot(joinery, opening.outline);
     opening.content = opening_content(seen, wall.map, opening, survey.tolerance_m);
     const RingBox box = ring_box(opening.outline);
     const bool is_below = hole.is_notch && !hole.is_bay;  // nothing of the wall is

@@ -79,29 +79,3 @@ TEST_CASE("tell_roles__where_a_house_stands_back_the_wall_beside_it_ends") {
   CHECK(openings_of(evidence[0]) == 2);
   CHECK(openings_of(evidence[1]) == 2);
 }
-
-TEST_CASE("tell_roles__the_middle_of_a_house_between_its_wings_is_a_wall_and_no_filling") {
-  // Wings of 4 m on either side of a middle of 8 m that stands back; the surrounds of the wings' windows and their
-  // corner stones lie in one plane, whose border goes round it all.
-  std::vector<Vec3> wings, surrounds, middle;
-  for (const double left : {0.0, 12.0}) {
-    add_layer(wings, left, 0, 4, 7, 0);
-    for (const double foot : {1.0, 4.2}) {
-      cut(wings, left + 1, foot - 0.2, 1.8, 2.2);
-      add_layer(surrounds, left + 1, foot - 0.2, 1.8, 2.2, -0.04);
-      cut(surrounds, left + 1.2, foot, 1.4, 1.8);
-      cut(wings, left + 1.2, foot, 1.4, 1.8);
-    }
-    add_layer(surrounds, left, 6.4, 4, 0.5, -0.04);
-    add_layer(surrounds, left, 0, 4, 0.5, -0.04);
-  }
-  add_layer(surrounds, 3.6, 0, 0.4, 7, -0.04);
-  add_layer(surrounds, 12, 0, 0.4, 7, -0.04);
-  add_layer(middle, 4, 0, 8, 6.4, 0.3);
-  for (const double window : {5.0, 7.4, 9.8})
-    for (const double foot : {1.0, 4.2}) cut(middle, window, foot, 1.2, 1.6);
-  const auto evidence = evidence_of({wings, surrounds, middle});
-  CHECK(evidence[0].role == PlaneRole::kWall);
-  CHECK(evidence[2].role == PlaneRole::kWall);
-  CHECK(openings_of(evidence[2]) == 6);
-}

@@ -64,32 +64,3 @@ TEST_CASE("tell_recesses__the_leaf_of_a_deep_portal_has_no_openings_and_is_none"
   for (const double left : {1.0, 7.0}) add_layer(front.back, left + 1, 3.6, 1, 1.4, kBack_m);
   CHECK_FALSE(front.is_recess());
 }
-
-TEST_CASE("tell_recesses__windows_of_a_loggia_end_at_its_floor_which_a_parapet_hides") {
-  // Two loggias over each other; of the back wall nothing was seen from the floor up to the parapet's head.
-  Front front;
-  front.wall.clear(), front.back.clear();
-  add_layer(front.wall, 0, 0, 12, 10, 0);
-  for (const double left : {1.0, 7.0})
-    for (const double foot : {3.0, 6.6}) {
-      cut(front.wall, left, foot, 3, 2.6);
-      add_layer(front.back, left, foot + 0.8, 3, 1.8, kBack_m);
-      cut(front.back, left + 1, foot, 1, 2.2);
-      add_layer(front.sides, left + 1, foot + 0.8, 1, 1.4, kBack_m + 0.15);  // panes
-      for (double y = kStep_m / 2; y < kBack_m; y += kStep_m)
-        for (double z = foot + kStep_m / 2; z < foot + 2.6; z += kStep_m)
-          front.sides.push_back({left, y, z});
-    }
-  const auto evidence = evidence_of({front.wall, front.back}, 1, front.sides);
-  REQUIRE(evidence[1].is_recess);
-  size_t windows = 0;
-  for (const OpeningCandidate& opening : evidence[1].openings) {
-    if (!opening.is_opening) continue;
-    ++windows;
-    const PlaneFrame& frame = evidence[1].cells.frame;
-    const Vec3 low = frame.lift(opening.shape.box().low),
-               high = frame.lift(opening.shape.box().high);
-    CHECK(low.z >= (high.z > 6 ? 6.6 : 3.0) - 0.1);
-  }
-  CHECK(windows == 4);
-}

@@ -144,14 +144,3 @@ TEST_CASE("fitted_shape__keeps_out_of_cells_of_other_openings") {
   const FittedShape fitted = fitted_shape(cells, taken, {40, 20, 62, 50}, {});
   CHECK(fitted.shape.sizes == painted::rectangle(40, 60, 20, 50).sizes);
 }
-
-TEST_CASE("fitted_shape__a_square_of_few_cells_is_no_circle_for_having_one_size_more") {
-  for (const uint32_t side : {4U, 5U, 6U}) {
-    CAPTURE(side);
-    WallCells cells = painted::cells_of(60, 60);
-    painted::paint(cells, {20, 20, 20 + side, 20 + side}, WallState::kThrough);
-    cells.states[size_t{20} * 60 + 20] = WallState::kOn;  // a point in a corner
-    const FittedShape fitted = fitted_shape(cells, {}, {20, 20, 20 + side, 20 + side}, {});
-    CHECK(fitted.shape.kind == ShapeKind::kRectangle);
-  }
-}
