@@ -132,12 +132,15 @@ static inline jalon_status diagnose(const struct both_ways* both, jalon_task* ta
   jalon_params_release(options);
   return status;
 }
-/* Of a thread its own; what it keeps is released by forget_both_ways, or with the process. */
-static __thread struct both_ways kept_both_ways;
-static inline void forget_both_ways(void) { release_both(&kept_both_ways); }
+/* One for the process, unless a thread brings its own. */
+static struct both_ways kept_both_ways;
+static __thread struct both_ways* own_both_ways;
+static inline void forget_both_ways(void) {
+  release_both(own_both_ways != NULL ? own_both_ways : &kept_both_ways);
+}
 static inline jalon_status compare_both_ways(const jalon_cloud* cloud,
                                              const struct both_ways** out) {
-  struct both_ways* both = &kept_both_ways;
+  struct both_ways* both = own_both_ways != NULL ? own_both_ways : &kept_both_ways;
   *out = both;
   if (both->changes != NULL && both->of == cloud) return JALON_OK;
   release_both(both);

@@ -41,6 +41,9 @@ static struct outcome outcome_of(int i, const jalon_cloud* cloud, jalon_task* ta
 
 static void* operations_body(void* argument) {
   struct worker* w = argument;
+  struct both_ways own;
+  memset(&own, 0, sizeof own);
+  own_both_ways = &own;
   for (int r = 0; r < rounds() * kOperationCount; ++r) {
     const int i = (r + 5 * w->number) % kOperationCount;
     const struct outcome got = outcome_of(i, w->cloud, w->task);
