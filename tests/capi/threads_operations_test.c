@@ -7,9 +7,11 @@
 #include <pthread.h>
 #include <time.h>
 
-enum { kThreads = 8, kPoints = 600, kLongPoints = 3000, kLongRounds = 24 };
+enum { kThreads = 8, kPoints = 600, kSanitizedPoints = 250, kLongPoints = 3000, kLongRounds = 24 };
 
-static uint64_t points(void) { return is_full_run() && !is_sanitized() ? kLongPoints : kPoints; }
+static uint64_t points(void) {
+  return is_sanitized() ? kSanitizedPoints : is_full_run() ? kLongPoints : kPoints;
+}
 /* Of all operations, in each thread: a thousand in the long run. */
 static int rounds(void) { return is_full_run() ? kLongRounds : 1; }
 
