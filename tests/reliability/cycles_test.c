@@ -4,8 +4,8 @@
  * was. The long run makes ten times as many. */
 #include "allocation_scenarios.h"
 
-#include "folder_state.h"
 #include "process_size.h"
+#include "small_input.h"
 
 static int cycles(void) { return is_full_run() ? 1000 : is_sanitized() ? 3 : 60; }
 
@@ -31,16 +31,7 @@ static void cycles__of_the_whole_surface_keep_no_memory(void** state) {
 
 static int make_input(void** state) {
   (void)state;
-  snprintf(small_folder, sizeof small_folder, "%s", temporary("cycles"));
-  make_folder(small_folder);
-  street_points(small_xyz, kSmall, 12, 0, 0);
-  MUST(jalon_task_create(&small_task));
-  return 0;
-}
-static int drop_input(void** state) {
-  (void)state;
-  jalon_task_release(small_task);
-  return rmdir(small_folder);
+  return make_small_input("cycles");
 }
 
 int main(void) {

@@ -80,6 +80,18 @@ static void lie_in_text(const char* extension, const char* key, char end) {
   free(c.bytes);
 }
 
+/* So that what refuses the lies below is not the way in which they are written. */
+static void tell_the_truth_in_xml(void) {
+  content c = good_scan("e57", 20);
+  if (c.bytes == NULL) return;
+  content same = with_xml(c, "recordCount=\"", "20");
+  const int before = accepted;
+  expect_little("e57", "nothing", same, 0);
+  assert_int_equal(accepted, before + 1);
+  free(same.bytes);
+  free(c.bytes);
+}
+
 static void counts__that_lie_take_less_than_a_mebibyte(void** state) {
   (void)state;
   refused = accepted = 0;
@@ -99,6 +111,7 @@ static void counts__that_lie_take_less_than_a_mebibyte(void** state) {
   lie_in_numbers("e57", 24, 8, "place of the XML");
   lie_in_numbers("e57", 32, 8, "length of the XML");
   lie_in_numbers("e57", 40, 8, "size of a page");
+  tell_the_truth_in_xml();
   lie_in_text("e57", "recordCount=\"", '"');
   lie_in_text("e57", "fileOffset=\"", '"');
   lie_in_text("ply", "element vertex ", '\n');

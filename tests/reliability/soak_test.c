@@ -5,9 +5,9 @@
  * and no call says what it should not. */
 #include "allocation_scenarios.h"
 
-#include "folder_state.h"
 #include "operations.h"
 #include "process_size.h"
+#include "small_input.h"
 
 enum {
   kHours = 8,
@@ -112,16 +112,7 @@ static void soak__eight_hours_of_drawn_jobs_keep_no_memory(void** state) {
 
 static int make_input(void** state) {
   (void)state;
-  snprintf(small_folder, sizeof small_folder, "%s", temporary("soak"));
-  make_folder(small_folder);
-  street_points(small_xyz, kSmall, 12, 0, 0);
-  MUST(jalon_task_create(&small_task));
-  return 0;
-}
-static int drop_input(void** state) {
-  (void)state;
-  jalon_task_release(small_task);
-  return rmdir(small_folder);
+  return make_small_input("soak");
 }
 
 int main(void) {
