@@ -63,7 +63,7 @@ FIGURES = [
     Figure("B7", "the host's rounding, flushing and traps change no bit and come back", [("release/reliability_arithmetic_test", "arithmetic__of_the_host_changes_no_bit_and_comes_back"), ("style", "no fast-math")], EACH, ""),
     Figure("B8", "German, French and Turkish: the same text", [("comma_locale", "the tool's .file is the same in .locale")], LONG, "the tool in all three, the C tests in German; the long form has not been run"),
     Figure("B9", "FORTIFY, stack protector, RELRO, no executable stack, CET", [("hardening", "libjalon: buffers of known size are checked"), ("abi", "full RELRO")], EACH, "the mark of CET stands in the objects of C++, not in the whole library (Rust's have none)"),
-    Figure("B10", "the same build twice gives the same bytes", [("reproducible", "has the same bytes")], LONG, "the library's are the same in two folders (2026-11-26); the tool's are not yet, and the wheel's are not compared"),
+    Figure("B10", "the same build twice gives the same bytes", [("reproducible", "has the same bytes")], LONG, "library and tool are the same from two folders (2026-11-26); the wheel's are not compared"),
     Figure("B11", "misuse of bindings: 1 000 a language become exceptions",
            [("bindings_python", "FIGURE misuses of Python"), ("bindings_java", "FIGURE misuses of Java"), ("bindings_csharp", "FIGURE misuses of C#"),
             ("bindings_csharp", "Dispose__races_with_calls_and_never_crashes")], EACH, ""),
