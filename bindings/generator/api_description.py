@@ -157,6 +157,7 @@ OPERATION = {
     "jalon_cloud_distance_map": "distance_map",
     "jalon_cloud_read": "read",
     "jalon_cloud_write": "write",
+    "jalon_cloud_convert": "convert",
     "jalon_model_read": "read",
     "jalon_model_write": "write",
     "jalon_precision_budget": "precision",

@@ -11,9 +11,9 @@ using namespace jalon::capi;
 
 namespace {
 
-std::string require_path(const char* path) {
-  std::string text = require_text(path, "path");
-  if (text.empty()) fail(Status::kInvalidArgument, "path is empty");
+std::string require_path(const char* path, const char* name = "path") {
+  std::string text = require_text(path, name);
+  if (text.empty()) fail(Status::kInvalidArgument, "%s is empty", name);
   return text;
 }
 
@@ -39,6 +39,18 @@ jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path,
     const ParamSet values = options_or_default(options, "write");
     with_task(task, [&](Task& t) {
       write_cloud(*cloud->cloud, file, settings_from<WriteSettings>(values), t);
+    });
+  });
+}
+
+jalon_status jalon_cloud_convert(const char* source, const char* target,
+                                 const jalon_params* options, jalon_task* task, uint64_t* out) {
+  return guard([&] {
+    const std::string from = require_path(source, "source"), to = require_path(target, "target");
+    const ParamSet values = options_or_default(options, "convert");
+    with_task(task, [&](Task& t) {
+      const uint64_t count = convert_cloud(from, to, settings_from<ConvertSettings>(values), t);
+      if (out != nullptr) *out = count;
     });
   });
 }

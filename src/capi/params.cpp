@@ -75,6 +75,7 @@ std::span<const Operation> operations() {
       {"interest", interest_rows},
       {"read", read_rows},
       {"write", write_rows},
+      {"convert", convert_rows},
       {"scene", scene_rows},
       {"elevation", elevation_rows},
       {"report", report_rows},

@@ -95,9 +95,35 @@ Cloud one_of_all(std::vector<Cloud> clouds, Console& console) {
   return std::move(clouds.front());
 }
 
-void convert_clouds(const Convert& job, Console& console) {
-  const Params options = make_params("write");
-  job.settings.apply(options.get());
+// What "--set" says of writing, as far as it concerns clouds.
+void set_writing(jalon_params* convert, jalon_params* write) {
+  const char* text = nullptr;
+  must(jalon_params_to_json(convert, &text));
+  const Json known = Json::parse(text);
+  must(jalon_params_to_json(write, &text));
+  Json wanted = Json::object();
+  const Json given = Json::parse(text);
+  for (const auto& [name, value] : given.items())
+    if (known.contains(name)) wanted[name] = value;
+  must(jalon_params_from_json(convert, wanted.dump().c_str()));
+}
+
+// As much in memory as a piece takes, where the formats allow it.
+uint64_t convert_file(const Convert& job, jalon_params* write, Console& console) {
+  console.step("converting");
+  const Params options = job.input.reading("convert");
+  set_writing(options.get(), write);
+  uint64_t count = 0;
+  const std::string& from = job.files.front();
+  const jalon_status status = jalon_cloud_convert(from.c_str(), job.output().c_str(), options.get(),
+                                                  console.task(), &count);
+  const bool is_of_input = std::string_view(jalon_last_error_message()).starts_with(from);
+  if (is_of_input) must_read(status);
+  must(status);
+  return count;
+}
+
+uint64_t convert_files(const Convert& job, const jalon_params* write, Console& console) {
   std::vector<Cloud> clouds;
   for (const std::string& path : job.inputs()) {
     console.step("reading");
@@ -107,16 +133,26 @@ void convert_clouds(const Convert& job, Console& console) {
   }
   const Cloud cloud = one_of_all(std::move(clouds), console);
   console.step("writing");
-  must(jalon_cloud_write(cloud.get(), job.output().c_str(), options.get(), console.task()));
+  must(jalon_cloud_write(cloud.get(), job.output().c_str(), write, console.task()));
+  return count_of(cloud);
+}
+
+void convert_clouds(const Convert& job, Console& console) {
+  const Params options = make_params("write");
+  job.settings.apply(options.get());
   const std::vector<std::string> inputs = job.inputs();
-  console.say(grouped(count_of(cloud)) + " points: " +
-              (inputs.size() == 1 ? inputs.front() : std::to_string(inputs.size()) + " files") +
+  const bool is_one = inputs.size() == 1;
+  const uint64_t count = is_one && job.input.station.empty()
+                             ? convert_file(job, options.get(), console)
+                             : convert_files(job, options.get(), console);
+  console.say(grouped(count) +
+              " points: " + (is_one ? inputs.front() : std::to_string(inputs.size()) + " files") +
               " -> " + job.output());
   Json result;
-  if (inputs.size() == 1) result["input"] = inputs.front();
+  if (is_one) result["input"] = inputs.front();
   else result["inputs"] = inputs;
   result["output"] = job.output();
-  result["points"] = count_of(cloud);
+  result["points"] = count;
   console.result(result);
 }
 

@@ -230,8 +230,8 @@ std::array<double, N> numbers_in(const std::string& text, const std::string& nee
 
 }  // namespace
 
-Cloud Input::read(Console& console) const {
-  Params params = make_params("read");
+Params Input::reading(const char* operation) const {
+  Params params = make_params(operation);
   if (!columns.empty()) must(jalon_params_set_string(params.get(), "columns", columns.c_str()));
   for (const auto& [name, kind] : kUnits)
     if (unit == name) must(jalon_params_set_string(params.get(), "unit", kind));
@@ -241,6 +241,11 @@ Cloud Input::read(Console& console) const {
     must(jalon_params_set_doubles(params.get(), "box", corners.data(), corners.size()));
   }
   must(jalon_params_set_double(params.get(), "spacing_m", spacing_m));
+  return params;
+}
+
+Cloud Input::read(Console& console) const {
+  const Params params = reading("read");
   Cloud cloud;
   const bool has_station = !station.empty();
   const jalon_transform pose = has_station ? pose_at(station) : jalon_transform{};

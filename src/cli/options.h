@@ -64,6 +64,8 @@ struct Input {
   void add_reading_to(Command& command);
   /// Only the option that names the unit, e.g. "--reference-unit" for a command with two scans.
   void add_unit_to(Command& command, const std::string& option = "--unit");
+  /// The parameters of "read", or of "convert", that say so.
+  Params reading(const char* operation) const;
   Cloud read(Console& console) const;
 };
 

@@ -12,7 +12,7 @@
 #include "cloud/operations.h"
 #include "formats/files/station_file.h"
 #include "formats/files/utf8.h"
-#include "formats/registry.h"
+#include "formats/chosen_format.h"
 #include "formats/units/file_unit.h"
 
 namespace jalon {
@@ -126,16 +126,6 @@ void refuse_option(const std::string& path, const std::string& option, Function 
        listed(able, ", ").c_str());
 }
 
-const Format& format_to_read(const ByteSource& source, const ReadSettings& settings) {
-  const Format* chosen = format_of_option(settings.format);
-  return chosen != nullptr ? *chosen : format_of_content(source);
-}
-
-const Format* format_to_write(const std::string& path, const WriteSettings& settings) {
-  const Format* chosen = format_of_option(settings.format);
-  return chosen != nullptr ? chosen : format_of_extension(path);
-}
-
 bool keeps_stations_of(const Format& format, const Cloud& cloud) {
   if (format.keeps_stations || cloud.stations.empty()) return true;
   const Station& first = cloud.stations[0];
@@ -159,14 +149,23 @@ template <class Function>
        path.c_str(), extension_of(path).c_str(), known.c_str());
 }
 
-// What the reader left of what the options leave out.
+}  // namespace
+
+const Format& format_to_read(const ByteSource& source, const ReadSettings& settings) {
+  const Format* chosen = format_of_option(settings.format);
+  return chosen != nullptr ? *chosen : format_of_content(source);
+}
+
+const Format* format_to_write(const std::string& path, const WriteSettings& settings) {
+  const Format* chosen = format_of_option(settings.format);
+  return chosen != nullptr ? chosen : format_of_extension(path);
+}
+
 Cloud within_box(Cloud cloud, const ReadSettings& settings, Task& task) {
   if (settings.box.empty()) return cloud;
   const std::vector<uint8_t> mask = inside_box(cloud, settings.box_m(), Transform{}, task);
   return select_mask(cloud, mask, 1, task);
 }
-
-}  // namespace
 
 Box3 ReadSettings::box_m() const {
   constexpr double kEndless = std::numeric_limits<double>::infinity();

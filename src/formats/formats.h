@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 
@@ -14,9 +15,10 @@
 // Files of clouds and models. registry.h has a row for each format; nothing else knows them.
 namespace jalon {
 
-/// Parameter tables of the operations "read" and "write": ReadSettings, WriteSettings.
+/// Parameter tables of the operations "read", "write" and "convert": ReadSettings, WriteSettings, ConvertSettings.
 std::span<const ParamRow> read_rows();
 std::span<const ParamRow> write_rows();
+std::span<const ParamRow> convert_rows();
 
 /// The format is the option's, or that of the content, or of the extension, in this order. Errors
 /// name file, offset and reason.
@@ -25,6 +27,9 @@ Model read_model(const std::string& path, const ReadSettings& settings, Task& ta
 /// The option's format, or that of the extension.
 void write_cloud(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                  Task& task);
+/// Reads and writes, piece by piece where both formats can; the bytes are the same. Gives the number of points.
+uint64_t convert_cloud(const std::string& from, const std::string& to,
+                       const ConvertSettings& settings, Task& task);
 void write_model(const Model& model, const std::string& path, const WriteSettings& settings,
                  Task& task);
 

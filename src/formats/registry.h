@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "formats/dxf/dxf.h"
 #include "formats/e57/e57.h"
 #include "formats/files/byte_source.h"
+#include "formats/files/cloud_pieces.h"
 #include "formats/geojson/geojson.h"
 #include "formats/geopackage/geopackage.h"
 #include "formats/glb/glb.h"
@@ -77,6 +80,12 @@ struct Format {
   Ability<void(const Cloud&, const std::string& path, const WriteSettings&, Task&)> write_cloud{};
   Ability<Model(const ByteSource&, const ReadSettings&, Task&)> read_model{};
   Ability<void(const Model&, const std::string& path, const WriteSettings&, Task&)> write_model{};
+  /// Null where this file's points do not come in the order of a cloud's.
+  Ability<std::unique_ptr<CloudPieces>(const ByteSource&, const ReadSettings&, Task&)>
+      read_pieces{};
+  Ability<std::unique_ptr<CloudSink>(const std::string& path, const WriteSettings&,
+                                     uint64_t points)>
+      write_pieces{};
   bool keeps_stations = false;  ///< its files have a place for all stations of a cloud
   bool keeps_station = false;   ///< that of a cloud with one
   bool knows_units = false;     ///< its reader heeds the option "unit" and what the file says of it
@@ -97,6 +106,7 @@ inline constexpr Format kFormats[] = {
      .mark = "LASF",
      .read_cloud = read_las,
      .write_cloud = write_copc,
+     .read_pieces = las_pieces,
      .keeps_stations = true,
      .knows_units = true,
      .component = kCodecs},
@@ -108,6 +118,8 @@ inline constexpr Format kFormats[] = {
      .mark = "LASF",
      .read_cloud = read_las,
      .write_cloud = write_laz,
+     .read_pieces = las_pieces,
+     .write_pieces = laz_sink,
      .keeps_stations = true,
      .knows_units = true,
      .component = kCodecs},
@@ -129,6 +141,8 @@ inline constexpr Format kFormats[] = {
      .mark = "LASF",
      .read_cloud = read_las,
      .write_cloud = write_las,
+     .read_pieces = las_pieces,
+     .write_pieces = las_sink,
      .keeps_stations = true,
      .knows_units = true},
     {.name = "PLY",
@@ -155,14 +169,16 @@ inline constexpr Format kFormats[] = {
      .keyword = "pts",
      .extensions = "pts",
      .read_cloud = read_pts,
-     .write_cloud = write_text},
+     .write_cloud = write_text,
+     .write_pieces = text_sink},
     {.name = "Text",
      .keyword = "text",
      .extensions = "xyz txt asc",
      .content = Content::kText,
      .recognises = is_plain_text,
      .read_cloud = read_text,
-     .write_cloud = write_text},
+     .write_cloud = write_text,
+     .write_pieces = text_sink},
     {.name = "CSV",
      .keyword = "csv",
      .extensions = "csv",
@@ -170,6 +186,7 @@ inline constexpr Format kFormats[] = {
      .recognises = is_plain_text,
      .read_cloud = read_text,
      .write_cloud = write_csv,
+     .write_pieces = csv_sink,
      .reads_as_another = true},
     {.name = "OBJ",
      .keyword = "obj",

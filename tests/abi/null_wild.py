@@ -63,6 +63,7 @@ BASE = {
     "jalon_cloud_share_octree.count": "3", "jalon_params_set_bool.value": "1", "jalon_cloud_split.value": "1.0",
     "jalon_params_set_doubles.count": "0", "jalon_cloud_crop_polygon.w_min": "-100.0",
     "jalon_cloud_read.path": 'fx_path("scan.las")', "jalon_cloud_write.path": 'fx_path("out.las")',
+    "jalon_cloud_convert.source": 'fx_path("scan.las")', "jalon_cloud_convert.target": 'fx_path("out.las")',
     "jalon_model_read.path": 'fx_path("model.obj")', "jalon_model_write.path": 'fx_path("out.obj")',
     "jalon_report_write_orthoimage.path": 'fx_path("orthoimage.png")',
     "jalon_report_write_elevation.path": 'fx_path("out.svg")', "jalon_report_write_html.path": 'fx_path("out.html")',

@@ -46,6 +46,11 @@ std::string station_file_of(const std::string& path) {
   return (has_extension ? path.substr(0, dot) : path) + ".stations.json";
 }
 
+bool has_station_file(const std::string& path) {
+  const std::string beside = station_file_of(path);
+  return beside != path && is_there(beside);
+}
+
 Cloud with_station_file(Cloud cloud, const std::string& path, bool is_whole, Task& task) {
   const std::string beside = station_file_of(path);
   if (!cloud.stations.empty() || beside == path || !is_there(beside)) return cloud;

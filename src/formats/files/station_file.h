@@ -10,6 +10,8 @@ namespace jalon {
 
 /// "scan.stations.json" beside "scan.xyz": the stations of a file whose format has no place for them.
 std::string station_file_of(const std::string& path);
+/// Whether there is one.
+bool has_station_file(const std::string& path);
 /// Gives the cloud, read from this path, the stations of that file where there is one and it names no other cloud. A
 /// file that is not as it should be is a warning: the points stand for themselves. So is one by ranges of points where
 /// these are not all of the file's.

@@ -73,7 +73,7 @@ LazOrder LazWriter::order_of(size_t n) const {
 LazWritten LazWriter::write(const Cloud& cloud, const LazOrder& order, AtomicFile& file,
                             uint64_t point_offset, Task& task) const {
   const size_t chunks = order.starts.size() - 1;
-  std::byte place[kLazPlaceBytes] = {};
+  const std::byte place[kLazPlaceBytes] = {};
   file.write(place, sizeof place);
   LazWritten written;
   written.bytes = sizeof place;
@@ -104,20 +104,69 @@ LazWritten LazWriter::write(const Cloud& cloud, const LazOrder& order, AtomicFil
       written.tally += tallies[c];
     }
   }
-  store<int64_t>(place, static_cast<int64_t>(point_offset + written.bytes));
   std::vector<uint64_t> counts;
   if (chunk_points_ == 0)
     for (size_t c = 0; c < chunks; ++c) counts.push_back(order.starts[c + 1] - order.starts[c]);
+  put_table(file, point_offset, counts, written);
+  return written;
+}
+
+void LazWriter::put_table(AtomicFile& file, uint64_t point_offset,
+                          const std::vector<uint64_t>& counts, LazWritten& written) const {
   Packed table;
   encode(path_, [&](JcMessage message) {
     return jc_laz_table(as_bytes(vlr_.data()), vlr_.size(),
-                        counts.empty() ? nullptr : counts.data(), written.sizes.data(), chunks,
-                        table.out(), message);
+                        counts.empty() ? nullptr : counts.data(), written.sizes.data(),
+                        written.sizes.size(), table.out(), message);
   });
+  std::byte place[kLazPlaceBytes] = {};
+  store<int64_t>(place, static_cast<int64_t>(point_offset + written.bytes));
   file.write(table.data(), table.size());
   written.bytes += table.size();
   file.rewrite(point_offset, place, sizeof place);
-  return written;
+}
+
+LazStream::LazStream(const LazWriter& writer, AtomicFile& file, uint64_t point_offset)
+    : writer_(writer), file_(file), point_offset_(point_offset) {
+  const std::byte place[kLazPlaceBytes] = {};
+  file_.write(place, sizeof place);
+  written_.bytes = sizeof place;
+}
+
+void LazStream::put(std::span<const std::byte> records, Task& task) {
+  const size_t chunk = writer_.chunk_points_ * writer_.plan_.record_bytes;
+  if (rest_.empty() && records.size() >= chunk) {
+    const size_t whole = records.size() / chunk * chunk;
+    pack(records.first(whole), chunk, task);
+    records = records.subspan(whole);
+  }
+  rest_.insert(rest_.end(), records.begin(), records.end());
+  const size_t whole = rest_.size() / chunk * chunk;
+  pack(std::span(rest_).first(whole), chunk, task);
+  rest_.erase(rest_.begin(), rest_.begin() + static_cast<ptrdiff_t>(whole));
+}
+
+LazWritten LazStream::finish(Task& task) {
+  if (!rest_.empty()) pack(rest_, rest_.size(), task);
+  writer_.put_table(file_, point_offset_, {}, written_);
+  return written_;
+}
+
+void LazStream::pack(std::span<const std::byte> records, size_t chunk_bytes, Task& task) {
+  const size_t chunks = records.size() / chunk_bytes;
+  std::vector<Packed> packed(chunks);
+  parallel_chunks(task, chunks, [&](size_t c) {
+    encode(writer_.path_, [&](JcMessage message) {
+      return jc_laz_encode(as_bytes(writer_.vlr_.data()), writer_.vlr_.size(),
+                           as_bytes(records.data() + c * chunk_bytes), chunk_bytes, packed[c].out(),
+                           message);
+    });
+  });
+  for (const Packed& one : packed) {
+    file_.write(one.data(), one.size());
+    written_.bytes += one.size();
+    written_.sizes.push_back(one.size());
+  }
 }
 
 }  // namespace jalon::las

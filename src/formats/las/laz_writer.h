@@ -44,10 +44,33 @@ class LazWriter {
                    uint64_t point_offset, Task& task) const;
 
  private:
+  friend class LazStream;
+  /// Ends the points: the table of their chunks, whose numbers of points are these where each has its own, and its
+  /// place.
+  void put_table(AtomicFile& file, uint64_t point_offset, const std::vector<uint64_t>& counts,
+                 LazWritten& written) const;
   const Plan& plan_;
   const std::string& path_;
   size_t chunk_points_ = 0;  ///< 0: each chunk has its own number
   std::vector<std::byte> vlr_;
+};
+
+/// Packs records that come bit by bit, to the same bytes as LazWriter::write in chunks of one number of points.
+class LazStream {
+ public:
+  /// They live as long; the file ends where its points begin.
+  LazStream(const LazWriter& writer, AtomicFile& file, uint64_t point_offset);
+  void put(std::span<const std::byte> records, Task& task);
+  /// Without a tally, which those have who made the records.
+  LazWritten finish(Task& task);
+
+ private:
+  void pack(std::span<const std::byte> records, size_t chunk_bytes, Task& task);
+  const LazWriter& writer_;
+  AtomicFile& file_;
+  uint64_t point_offset_;
+  std::vector<std::byte> rest_;  ///< less than a chunk
+  LazWritten written_;
 };
 
 }  // namespace jalon::las

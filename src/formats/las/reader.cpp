@@ -7,6 +7,7 @@
 #include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/codecs/codecs.h"
+#include "formats/files/cloud_pieces.h"
 #include "formats/files/endian.h"
 #include "formats/files/finish_cloud.h"
 #include "formats/las/copc.h"
@@ -148,24 +149,35 @@ struct PointSink {
   }
 };
 
-void decode_points(const ByteSource& source, const PointSink& sink, Task& task) {
+/// Points of a file one behind the other: of LAS any, of LAZ those of whole chunks.
+struct PointRun {
+  size_t first = 0, count = 0;
+  size_t first_chunk = 0, chunks = 0;
+};
+
+void decode_points(const ByteSource& source, const PointSink& sink, const PointRun& run,
+                   Task& task) {
   const Header& header = sink.header;
   const size_t stride = header.record_bytes;
   const size_t block = std::max<size_t>(1, kBlockBytes / stride);
-  parallel_for(task, header.count, kReaderGrain, [&](size_t begin, size_t end) {
+  parallel_for(task, run.count, kReaderGrain, [&](size_t begin, size_t end) {
     const size_t room = std::min(block, end - begin) * stride;
     const auto records = std::make_unique_for_overwrite<std::byte[]>(room);
     for (size_t first = begin; first < end; first += block) {
       const size_t n = std::min(block, end - first);
-      source.read(header.point_offset + uint64_t{first} * stride, records.get(), n * stride);
+      source.read(header.point_offset + uint64_t{run.first + first} * stride, records.get(),
+                  n * stride);
       sink.put(records.get(), n, first);
     }
   });
 }
 
-void decompress_points(const LazPoints& laz, const PointSink& sink, Task& task) {
-  parallel_chunks(task, laz.chunks(), [&](size_t c) {
-    if (laz.points(c) != 0) sink.put(laz.decode(c).get(), laz.points(c), laz.first_point(c));
+void decompress_points(const LazPoints& laz, const PointSink& sink, const PointRun& run,
+                       Task& task) {
+  parallel_chunks(task, run.chunks, [&](size_t k) {
+    const size_t c = run.first_chunk + k;
+    if (laz.points(c) != 0)
+      sink.put(laz.decode(c).get(), laz.points(c), laz.first_point(c) - run.first);
   });
 }
 
@@ -202,6 +214,103 @@ LazPoints packed_points(const ByteSource& source, const Header& header,
           copc_chunks(source, header, *info, part_of(*info, unit, settings), task)};
 }
 
+/// A file, opened: what stands before and behind its points, and any run of these as a cloud.
+struct LasReading {
+  LasReading(const ByteSource& file, const ReadSettings& settings, Task& task)
+      : source(file),
+        header(read_header(source)),
+        vlrs(read_vlrs(source, header, task)),
+        evlrs(read_evlrs(source, header, task)),
+        crs(crs_text(vlrs, evlrs)) {
+    const LengthUnits units = units_to_use(vlrs, evlrs, source, settings.unit, task);
+    unit = {units.horizontal, units.horizontal, units.vertical};
+    if (header.compressed) {
+      laz.emplace(packed_points(source, header, vlrs, unit, settings, task));
+      laz->require_points(task);
+    }
+    core = point_format(header.format)->bytes;
+    extra = extra_dimensions(vlrs, evlrs, header.record_bytes - core, task);
+    for (ExtraDimension& dimension : extra)
+      dimension.field.name = field_of_exact(header.format, dimension.field.name);
+  }
+
+  size_t count() const { return laz ? laz->count() : header.count; }
+  PointRun whole() const { return {0, count(), 0, laz ? laz->chunks() : 0}; }
+
+  /// What follows: about so many points, at least one chunk; none at the end.
+  PointRun behind(const PointRun& before, size_t most) const {
+    PointRun run{before.first + before.count, 0, before.first_chunk + before.chunks, 0};
+    if (!laz) run.count = std::min(most, count() - run.first);
+    else
+      for (size_t c = run.first_chunk; c < laz->chunks() && run.count < most; ++c, ++run.chunks)
+        run.count += laz->points(c);
+    return run;
+  }
+
+  /// With its fields and CRS.
+  Cloud points(const PointRun& run, Task& task) const {
+    std::vector<Extraction> extractions;
+    for (const Dimension& dimension : dimensions(header.format))
+      extractions.push_back(extraction_of(dimension, run.count));
+    for (const ExtraDimension& dimension : extra)
+      extractions.push_back(extraction_of(dimension, core, run.count));
+    Buffer<double> xyz(3 * run.count);
+    advise_large_pages(xyz.data(), xyz.size() * sizeof(double));
+    for (const Extraction& e : extractions) advise_large_pages(e.column->raw(), e.column->bytes());
+    {
+      ProgressSpan span(task, 0, 0.95, "reading LAS");
+      const PointSink sink{header, unit, xyz, extractions};
+      if (laz) decompress_points(*laz, sink, run, task);
+      else decode_points(source, sink, run, task);
+    }
+    Cloud cloud = make_cloud(std::move(xyz));
+    for (Extraction& e : extractions)
+      cloud.fields.set(
+          std::move(e.column));  // an extra dimension replaces the standard one of its name
+    cloud.crs = crs;
+    return cloud;
+  }
+
+  const ByteSource& source;
+  const Header header;
+  std::vector<Record> vlrs, evlrs;
+  const std::string crs;
+  Vec3 unit;  ///< metres
+  std::optional<LazPoints> laz;
+  size_t core = 0;  ///< bytes of a record before the extra ones
+  std::vector<ExtraDimension> extra;
+};
+
+/// A file of no stations piece by piece, in its order.
+class LasPieces : public CloudPieces {
+ public:
+  LasPieces(std::unique_ptr<LasReading> file, const ByteSource& source, bool drop_invalid)
+      : file_(std::move(file)), source_(source), drop_invalid_(drop_invalid) {
+    attachments_ = attachments_of(file_->header, std::move(file_->vlrs), std::move(file_->evlrs));
+  }
+
+  uint64_t count() const override { return file_->count(); }
+
+  bool next(size_t most, Cloud& piece, Task& task) override {
+    piece = {};
+    run_ = file_->behind(run_, most);
+    if (run_.count == 0 && !is_first_) return false;
+    is_first_ = false;
+    piece = file_->points(run_, task);
+    piece.attachments = attachments_;
+    piece = finish_cloud(std::move(piece), source_, drop_invalid_, task);
+    return true;
+  }
+
+ private:
+  std::unique_ptr<LasReading> file_;
+  const ByteSource& source_;
+  bool drop_invalid_;
+  std::shared_ptr<const std::vector<Attachment>> attachments_;
+  PointRun run_;
+  bool is_first_ = true;
+};
+
 }  // namespace
 
 bool is_las(const ByteSource& source) {
@@ -224,45 +333,20 @@ bool is_copc(const ByteSource& source) {
 }
 
 Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task) {
-  const Header header = read_header(source);
-  std::vector<Record> vlrs = read_vlrs(source, header, task);
-  std::vector<Record> evlrs = read_evlrs(source, header, task);
-  const LengthUnits units = units_to_use(vlrs, evlrs, source, settings.unit, task);
-  const Vec3 unit{units.horizontal, units.horizontal, units.vertical};
-  std::optional<LazPoints> laz;
-  if (header.compressed) {
-    laz.emplace(packed_points(source, header, vlrs, unit, settings, task));
-    laz->require_points(task);
-  }
-
-  const size_t count = laz ? laz->count() : header.count;
-  const size_t core = point_format(header.format)->bytes;
-  std::vector<ExtraDimension> extra =
-      extra_dimensions(vlrs, evlrs, header.record_bytes - core, task);
-  for (ExtraDimension& dimension : extra)
-    dimension.field.name = field_of_exact(header.format, dimension.field.name);
-  std::vector<Extraction> extractions;
-  for (const Dimension& dimension : dimensions(header.format))
-    extractions.push_back(extraction_of(dimension, count));
-  for (const ExtraDimension& dimension : extra)
-    extractions.push_back(extraction_of(dimension, core, count));
-  Buffer<double> xyz(3 * count);
-  advise_large_pages(xyz.data(), xyz.size() * sizeof(double));
-  for (const Extraction& e : extractions) advise_large_pages(e.column->raw(), e.column->bytes());
-  {
-    ProgressSpan span(task, 0, 0.95, "reading LAS");
-    const PointSink sink{header, unit, xyz, extractions};
-    if (laz) decompress_points(*laz, sink, task);
-    else decode_points(source, sink, task);
-  }
-  Cloud cloud = make_cloud(std::move(xyz));
-  for (Extraction& e : extractions)
-    cloud.fields.set(
-        std::move(e.column));  // an extra dimension replaces the standard one of its name
-  cloud.crs = crs_text(vlrs, evlrs);
-  cloud = with_stations(std::move(cloud), vlrs, evlrs, unit, source.path(), task);
-  cloud.attachments = attachments_of(header, std::move(vlrs), std::move(evlrs));
+  LasReading file(source, settings, task);
+  Cloud cloud = file.points(file.whole(), task);
+  cloud = with_stations(std::move(cloud), file.vlrs, file.evlrs, file.unit, source.path(), task);
+  cloud.attachments = attachments_of(file.header, std::move(file.vlrs), std::move(file.evlrs));
   return finish_cloud(std::move(cloud), source, settings.drop_invalid, task);
+}
+
+std::unique_ptr<CloudPieces> las_pieces(const ByteSource& source, const ReadSettings& settings,
+                                        Task& task) {
+  auto file = std::make_unique<LasReading>(source, settings, task);
+  for (const auto* records : {&file->vlrs, &file->evlrs})
+    for (const Record& record : *records)
+      if (is_station_record(record)) return nullptr;
+  return std::make_unique<LasPieces>(std::move(file), source, settings.drop_invalid);
 }
 
 }  // namespace jalon

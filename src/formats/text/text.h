@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
+#include <memory>
 #include <string>
 
 #include "base/task.h"
 #include "cloud/cloud.h"
 #include "formats/files/byte_source.h"
+#include "formats/files/cloud_pieces.h"
 #include "formats/settings.h"
 
 namespace jalon {
@@ -23,5 +26,10 @@ void write_text(const Cloud& cloud, const std::string& path, const WriteSettings
 /// Commas, and a header line.
 void write_csv(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task);
+/// Writers of pieces, to the same bytes as of the whole.
+std::unique_ptr<CloudSink> text_sink(const std::string& path, const WriteSettings& settings,
+                                     uint64_t points);
+std::unique_ptr<CloudSink> csv_sink(const std::string& path, const WriteSettings& settings,
+                                    uint64_t points);
 
 }  // namespace jalon

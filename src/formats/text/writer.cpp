@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -65,30 +67,61 @@ void append_point(std::string& out, const Cloud& cloud, size_t i, char separator
   out += '\n';
 }
 
+/// Lines under a head, which the first piece settles.
+class TextSink : public CloudSink {
+ public:
+  TextSink(std::string path, bool comma, int decimals)
+      : path_(std::move(path)), comma_(comma), decimals_(decimals) {}
+
+  bool put(const Cloud& piece, Task& task) override {
+    const std::string head = head_of(piece);
+    if (file_ && head != head_) return false;
+    if (!file_) {
+      file_.emplace(path_);
+      file_->write(head_ = head);
+    }
+    write_in_batches(piece.size(), kBatch, kGrain, *file_, task,
+                     [&](size_t begin, size_t end, std::string& out) {
+                       for (size_t i = begin; i < end; ++i)
+                         append_point(out, piece, i, comma_ ? ',' : ' ', decimals_);
+                     });
+    return true;
+  }
+
+  void finish(Task& task) override {
+    task.checkpoint(1);
+    file_->commit();
+  }
+
+ private:
+  std::string head_of(const Cloud& cloud) const {
+    std::string head;
+    const std::string& crs = cloud.crs.str();
+    if (!comma_ && !crs.empty() && crs.find_first_of("\r\n") == std::string::npos)
+      head = "# crs: " + crs + "\n";
+    if (!comma_) head += "#";
+    bool first_name = comma_;
+    for (const std::string& name : column_names(cloud.fields)) {
+      if (!first_name) head += comma_ ? ',' : ' ';
+      first_name = false;
+      head += name;
+    }
+    return head + "\n";
+  }
+
+  const std::string path_;
+  const bool comma_;
+  const int decimals_;
+  std::optional<AtomicFile> file_;
+  std::string head_;
+};
+
 void write_lines(const Cloud& cloud, const std::string& path, bool comma, int decimals,
                  Task& task) {
   ProgressSpan span(task, 0, 0.99, "writing text");
-  const char separator = comma ? ',' : ' ';
-  AtomicFile file(path);
-  std::string head;
-  const std::string& crs = cloud.crs.str();
-  if (!comma && !crs.empty() && crs.find_first_of("\r\n") == std::string::npos)
-    head = "# crs: " + crs + "\n";
-  if (!comma) head += "#";
-  bool first_name = comma;
-  for (const std::string& name : column_names(cloud.fields)) {
-    if (!first_name) head += separator;
-    first_name = false;
-    head += name;
-  }
-  file.write(head + "\n");
-  write_in_batches(cloud.size(), kBatch, kGrain, file, task,
-                   [&](size_t begin, size_t end, std::string& out) {
-                     for (size_t i = begin; i < end; ++i)
-                       append_point(out, cloud, i, separator, decimals);
-                   });
-  task.checkpoint(1);
-  file.commit();
+  TextSink sink(path, comma, decimals);
+  sink.put(cloud, task);
+  sink.finish(task);
 }
 
 }  // namespace
@@ -101,6 +134,16 @@ void write_text(const Cloud& cloud, const std::string& path, const WriteSettings
 void write_csv(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task) {
   write_lines(cloud, path, true, settings.decimals, task);
+}
+
+std::unique_ptr<CloudSink> text_sink(const std::string& path, const WriteSettings& settings,
+                                     uint64_t) {
+  return std::make_unique<TextSink>(path, false, settings.decimals);
+}
+
+std::unique_ptr<CloudSink> csv_sink(const std::string& path, const WriteSettings& settings,
+                                    uint64_t) {
+  return std::make_unique<TextSink>(path, true, settings.decimals);
 }
 
 }  // namespace jalon

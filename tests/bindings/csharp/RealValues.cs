@@ -37,6 +37,7 @@ static class RealValues {
       {"Boolean.name", "curvature"}, {"String.name", "method"}, {"Double[].name", "viewpoint"}, {"Object.name", "k"},
       {"ArrayArgument.name", "viewpoint"},
       {"Cloud.Read.path", "scan.las"}, {"Model.Read.path", "model.obj"}, {"Cloud.Write.path", "written.las"},
+      {"Cloud.Convert.source", "scan.las"}, {"Cloud.Convert.target", "converted.xyz"},
       {"Model.Write.path", "written.obj"}, {"Cloud.WriteDepthMap.path", "depth.png"}, {"Sections.Write.path", "sections.dxf"}, {"Comparer.ReadM3c2File.path", "m3c2.txt"},
       {"Segmentation.WritePrimitives.path", "primitives.txt"}, {"Library.ReportWriteHtml.path", "report.html"},
       {"Library.ReportWriteJson.path", "report.json"}, {"Library.ReportWriteComparison.path", "comparison.html"},

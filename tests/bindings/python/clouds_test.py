@@ -129,6 +129,11 @@ class Clouds(unittest.TestCase):
             path = os.path.join(folder, "box.ply")
             box_cloud().write(path)
             self.assertEqual(len(jalon.Cloud.read(path)), len(box_cloud()))
+            part = os.path.join(folder, "part.las")
+            box = (*box_cloud().points.min(axis=0), *np.median(box_cloud().points, axis=0))
+            count = jalon.Cloud.convert(path, part, box=box)
+            self.assertTrue(0 < count < len(box_cloud()))
+            self.assertEqual(len(jalon.Cloud.read(part)), count)
 
     def python__the_library_tells_what_it_is(self):
         self.assertEqual(jalon.version(), jalon.__version__)

@@ -55,6 +55,7 @@ final class RealValues {
       Map.entry("Fields.doubles.name", "deviation"), Map.entry("double.name", "radius_m"), Map.entry("long.name", "k"),
       Map.entry("boolean.name", "curvature"), Map.entry("String.name", "method"), Map.entry("double[].name", "viewpoint"),
       Map.entry("svg", ".svg"), Map.entry("Cloud.read.path", "scan.las"), Map.entry("Model.read.path", "model.obj"),
+      Map.entry("Cloud.convert.source", "scan.las"), Map.entry("Cloud.convert.target", "converted.xyz"),
       Map.entry("Cloud.write.path", "written.las"), Map.entry("Model.write.path", "written.obj"),
       Map.entry("Cloud.writeDepthMap.path", "depth.png"), Map.entry("Sections.write.path", "sections.dxf"), Map.entry("Comparer.readM3c2File.path", "m3c2.txt"),
       Map.entry("Segmentation.writePrimitives.path", "primitives.txt"), Map.entry("Jalon.reportWriteHtml.path", "report.html"),

@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+#include "formats/chosen_format.h"
+#include "formats/files/station_file.h"
+#include "formats/formats.h"
+
+namespace jalon {
+
+namespace {
+
+// Enough for all threads to share: ten chunks of a LAZ file; some 80 MB of memory with fields and records.
+constexpr size_t kPiecePoints = size_t{1} << 19;
+
+// A file that is read while it is written must be in memory.
+bool are_same_file(const std::string& a, const std::string& b) {
+  std::error_code none;
+  const auto path_of = [](const std::string& utf8) {
+    return std::filesystem::path(std::u8string(utf8.begin(), utf8.end()));
+  };
+  return std::filesystem::equivalent(path_of(a), path_of(b), none);
+}
+
+/// One file becoming another, piece by piece.
+class Stream {
+ public:
+  Stream(const ByteSource& source, const ReadSettings& reading, const Format& written,
+         const std::string& to, const WriteSettings& writing, Task& task)
+      : reading_(reading), task_(task) {
+    pieces_ = format_to_read(source, reading).read_pieces(source, reading, task);
+    if (pieces_ != nullptr) sink_ = written.write_pieces(to, writing, pieces_->count());
+  }
+
+  /// Points written; none where only a cloud of all points can be.
+  std::optional<uint64_t> run() {
+    if (pieces_ == nullptr) return std::nullopt;
+    Cloud piece;
+    uint64_t passed = 0, kept = 0;
+    bool has_put = false;
+    while (read_next(piece, passed)) {
+      if (piece.size() == 0) continue;
+      if (!put(piece, passed)) return std::nullopt;
+      kept += piece.size();
+      has_put = true;
+    }
+    if (!has_put && !sink_->put(last_, task_)) return std::nullopt;
+    sink_->finish(task_);
+    return kept;
+  }
+
+ private:
+  double share(uint64_t points) const {
+    const uint64_t all = std::max<uint64_t>(pieces_->count(), 1);
+    return static_cast<double>(std::min(points, all)) / static_cast<double>(all);
+  }
+
+  bool read_next(Cloud& piece, uint64_t& passed) {
+    ProgressSpan span(task_, share(passed), share(passed) / 2 + share(passed + kPiecePoints) / 2);
+    piece = {};  // gone before the next one comes
+    Cloud next;
+    if (!pieces_->next(kPiecePoints, next, task_)) return false;
+    passed += next.size();
+    piece = within_box(std::move(next), reading_, task_);
+    if (piece.size() == 0) last_ = piece;
+    return true;
+  }
+
+  bool put(const Cloud& piece, uint64_t passed) {
+    ProgressSpan span(task_, share(passed) - share(piece.size()) / 2, share(passed), "converting");
+    return sink_->put(piece, task_);
+  }
+
+  const ReadSettings& reading_;
+  Task& task_;
+  std::unique_ptr<CloudPieces> pieces_;
+  std::unique_ptr<CloudSink> sink_;
+  Cloud last_;  ///< without points, with all else
+};
+
+bool can_stream(const std::string& from, const std::string& to, const Format& read,
+                const Format* written) {
+  return written != nullptr && read.read_pieces != nullptr && written->write_pieces != nullptr &&
+         !has_station_file(from) && !are_same_file(from, to);
+}
+
+std::optional<uint64_t> streamed(const std::string& from, const std::string& to,
+                                 const ReadSettings& reading, const WriteSettings& writing,
+                                 Task& task) {
+  const ByteSource source(from);
+  const Format* written = format_to_write(to, writing);
+  if (!can_stream(from, to, format_to_read(source, reading), written)) return std::nullopt;
+  reading.box_m();  // refused before anything is read
+  if (reading.spacing_m > 0 && !is_copc(source)) return std::nullopt;
+  const auto count = Stream(source, reading, *written, to, writing, task).run();
+  if (count) write_station_file({}, to, true);
+  return count;
+}
+
+}  // namespace
+
+uint64_t convert_cloud(const std::string& from, const std::string& to,
+                       const ConvertSettings& settings, Task& task) {
+  const ReadSettings reading = settings.reading();
+  const WriteSettings writing = settings.writing();
+  if (const auto count = streamed(from, to, reading, writing, task)) return *count;
+  Cloud cloud;
+  {
+    ProgressSpan span(task, 0, 0.5, "reading");
+    cloud = read_cloud(from, reading, task);
+  }
+  ProgressSpan span(task, 0.5, 1, "writing");
+  write_cloud(cloud, to, writing, task);
+  return cloud.size();
+}
+
+}  // namespace jalon
