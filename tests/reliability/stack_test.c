@@ -8,6 +8,7 @@
 #include <pthread.h>
 
 enum { kStackBytes = 256 * 1024 };
+static const uint64_t kLimitBytes = (uint64_t)4 << 30;
 
 static uint64_t points(void) { return is_full_run() ? 1000000 : is_sanitized() ? 1000 : 4000; }
 
@@ -73,6 +74,11 @@ static void* run_narrow(void* argument) {
   made m = {NULL, NULL, NULL};
   t->status = jalon_task_create(&task);
   if (t->status == JALON_OK) t->status = jalon_task_set_threads(task, 1);
+  if (t->status == JALON_OK) {
+    /* n equal points have n^2 neighbours: of a million of them no machine holds the list. */
+    const jalon_status limited = jalon_task_set_memory_limit(task, kLimitBytes);
+    if (limited != JALON_ERROR_UNSUPPORTED) t->status = limited;
+  }
   if (t->status == JALON_OK)
     t->status = t->operation < kOperationCount
                     ? kOperations[t->operation].run(t->cloud, task, &m)
@@ -93,13 +99,14 @@ static void run_on_small_stack(narrow_thread* t) {
   pthread_attr_destroy(&attributes);
 }
 
-/* Clouds without a surface have nothing to segment: that is said and is no failure here. */
+/* Clouds without a surface have nothing to segment, or too many neighbours: that is said and is no failure here. */
 static int is_expected(jalon_status status, layout put) {
   return status == JALON_OK ||
          (put != NULL &&
           (status == JALON_ERROR_DEGENERATE || status == JALON_ERROR_UNSUPPORTED ||
            status == JALON_ERROR_INSUFFICIENT_DATA || status == JALON_ERROR_LIMIT ||
-           status == JALON_ERROR_NOT_FOUND || status == JALON_ERROR_INVALID_ARGUMENT));
+           status == JALON_ERROR_NOT_FOUND || status == JALON_ERROR_INVALID_ARGUMENT ||
+           status == JALON_ERROR_OUT_OF_MEMORY));
 }
 
 static void stack__of_256_kib_is_enough_for_every_operation(void** state) {
