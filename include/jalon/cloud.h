@@ -217,6 +217,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_invert_normals(jalon_cloud* cloud
  *     planarity           float32  1      (s2 - s3) / s1
  *     sphericity          float32  1      s3 / s1
  *     verticality         float32  1      1 - |z component of the normal|
+ *     surface_class       uint8    -      1 = surface; 2 = edge, where one surface ends; 3 = boundary,
+ *                                         where several meet; 0 = the neighbours span no plane
+ *                                         (Belton & Lichti 2006, their noise from the cloud)
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_compute_features(jalon_cloud* cloud,
                                                                 const jalon_params* options,

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -10,6 +11,7 @@
 #include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
 #include "cloud/operations.h"
+#include "cloud/surface_classes.h"
 
 namespace jalon {
 
@@ -17,7 +19,8 @@ namespace {
 
 constexpr const char* kWhichHelp =
     "Fields to compute, separated by spaces or commas: density roughness mean_curvature "
-    "gaussian_curvature surface_variation linearity planarity sphericity verticality, or all";
+    "gaussian_curvature surface_variation linearity planarity sphericity verticality "
+    "surface_class, or all";
 
 enum Feature : size_t {
   kDensity,
@@ -29,12 +32,15 @@ enum Feature : size_t {
   kPlanarity,
   kSphericity,
   kVerticality,
-  kFeatures
+  kFeatures,                  // those with a number a point
+  kSurfaceClass = kFeatures,  // which looks at the whole cloud's noise
+  kNames
 };
 
 struct FeatureInfo {
   const char *name, *unit, *meaning;
 };
+constexpr const char* kSurfaceClassName = "surface_class";
 constexpr FeatureInfo kInfos[kFeatures] = {
     {"density", "1/m^2", "points per square metre of surface"},
     {"roughness", "m", "distance to the least-squares plane of the neighbours"},
@@ -47,7 +53,15 @@ constexpr FeatureInfo kInfos[kFeatures] = {
     {"verticality", "1", "1 - |z component of the normal|"},
 };
 
-using Choice = std::array<bool, kFeatures>;
+using Choice = std::array<bool, kNames>;
+
+const char* name_of(size_t feature) {
+  return feature == kSurfaceClass ? kSurfaceClassName : kInfos[feature].name;
+}
+
+bool any_number(const Choice& chosen) {
+  return std::find(chosen.begin(), chosen.begin() + kFeatures, true) != chosen.begin() + kFeatures;
+}
 
 Choice parse_which(std::string_view text) {
   Choice chosen{};
@@ -63,8 +77,8 @@ Choice parse_which(std::string_view text) {
       continue;
     }
     size_t i = 0;
-    while (i < kFeatures && word != kInfos[i].name) ++i;
-    if (i == kFeatures)
+    while (i < kNames && word != name_of(i)) ++i;
+    if (i == kNames)
       fail(Status::kInvalidArgument, "no feature \"%.*s\"; %s",
            static_cast<int>(std::min<size_t>(word.size(), 100)), word.data(), kWhichHelp);
     chosen[i] = true;
@@ -200,7 +214,14 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
     ProgressSpan span(task, 0, 0.2, "index");
     tree = cloud.octree(task);
   }
+  Cloud result = cloud;
   ProgressSpan span(task, 0.2, 1, "features");
+  if (chosen[kSurfaceClass]) {
+    ProgressSpan classes(task, 0, any_number(chosen) ? 0.3 : 1);
+    result.fields.set(surface_classes(*tree, settings.k, radius_m, task));
+  }
+  if (!any_number(chosen)) return result;
+  ProgressSpan numbers(task, chosen[kSurfaceClass] ? 0.3 : 0, 1);
   const auto order = tree->order();
   const auto write = [&](size_t point, const Values& values) {
     for (size_t f = 0; f < kFeatures; ++f)
@@ -214,7 +235,6 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
       [&](const SummedBalls& sums, const Octree::RangedBall& ball) {
         write(ball.point, features_of_sums(sums, ball, radius_m, chosen));
       });
-  Cloud result = cloud;
   for (auto& column : columns)
     if (column) result.fields.set(std::move(column));
   return result;

@@ -114,6 +114,10 @@ class Clouds(unittest.TestCase):
         plane.compute_features(which="planarity,roughness", radius_m=2.5)
         self.assertLess(np.nanmax(plane["roughness"]), 1e-6)
         self.assertGreater(np.nanmedian(plane["planarity"]), 0.9)
+        plane.compute_features(which="surface_class", radius_m=3.5)
+        classes = plane["surface_class"].reshape(20, 20)
+        self.assertTrue((classes[4:-4, 4:-4] == 1).all())  # 1 = surface
+        self.assertTrue((classes[0] == 2).all())  # 2 = edge
 
     def python__a_facade_is_told_from_what_stands_before_it(self):
         wall = np.random.default_rng(2).random((8000, 3)) * [20, 0.01, 8]
