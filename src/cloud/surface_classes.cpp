@@ -22,8 +22,8 @@ namespace jalon {
 
 namespace {
 
-// Of one surface's points, one in a thousand is taken for two; one in a hundred for its end, which few neighbours show
-// less clearly.
+// Of one surface's points, one in a thousand is taken for two; one in a hundred for its end, which few neighbours
+// show less clearly.
 constexpr double kFoldDoubtSigmas = 3.0902;  // 0.001 of the standard normal distribution
 constexpr double kEndDoubt = 0.01;
 // Approximate curvature on a fold of 30 degrees, seen from the fold: half discs of radius r on both sides have
@@ -39,8 +39,8 @@ struct Shape {
   uint8_t folded, aside;  // curvature of a fold; not in the middle
 };
 
-// Of the sum of squares across a plane through n points, over the variance: chi-square with n - 3 degrees of freedom, by
-// Wilson & Hilferty 1931, right to a hundredth.
+// Of the sum of squares across a plane through n points, over the variance: chi-square with n - 3 degrees of freedom,
+// by Wilson & Hilferty 1931, right to a hundredth.
 double spread_limit(size_t n) {
   const double dof = static_cast<double>(n - 3), part = 2 / (9 * dof);
   const double root = 1 - part + kFoldDoubtSigmas * std::sqrt(part);

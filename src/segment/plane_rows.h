@@ -32,6 +32,11 @@ constexpr auto plane_pixel_rows(const char* method) {
       "segment."));
 }
 
+/// Of the refinement that all methods have.
+inline constexpr const char* kGlobalPlanarityHelp =
+    "Parts segments that hold several planes, where the tolerance is wider than their steps; a "
+    "bent surface becomes several planes (Yu et al. 2008).";
+
 /// What is done with the planes once they are found.
 constexpr auto plane_ending_rows(const char* method) {
   return setting_rows(
@@ -39,6 +44,8 @@ constexpr auto plane_ending_rows(const char* method) {
           "merge_gap_m", 0, 1e4, "m", method,
           "Widest gap between coplanar pieces joined at the end; more joins repeated panels "
           "and panes; 0 = none."),
+      bool_row<&SurfaceSettings::global_planarity>("global_planarity", method,
+                                                   kGlobalPlanarityHelp),
       number_row<&SurfaceSettings::orientation_tolerance_rad>(
           "orientation_tolerance_rad", 1e-4, 0.785398, "rad", method,
           "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."),

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "base/setting_rows.h"
+#include "segment/plane_rows.h"
 #include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
@@ -110,7 +111,9 @@ constexpr auto kRansacSurface = setting_rows(
     bool_row<&SurfaceSettings::reassign>(
         "reassign", "ransac",
         "Shares the points out anew once all planes are known, and splits what falls apart "
-        "then; off: each plane keeps what it took first."));
+        "then; off: each plane keeps what it took first."),
+    bool_row<&SurfaceSettings::global_planarity>("global_planarity", "ransac",
+                                                 kGlobalPlanarityHelp));
 
 constexpr auto kRansacOrder = setting_rows(string_row<&DrawSettings::orientation_order>(
     "orientation_order", "ransac",

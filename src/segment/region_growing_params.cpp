@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/setting_rows.h"
 #include "segment/growing_settings.h"
+#include "segment/plane_rows.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
@@ -35,6 +36,8 @@ constexpr auto kGrowingEnding = setting_rows(
         "merge_gap_m", 0, 1e4, "m", "region_growing",
         "Widest gap between coplanar regions joined at the end; more joins repeated panels "
         "and panes; 0 = none."),
+    bool_row<&SurfaceSettings::global_planarity>("global_planarity", "region_growing",
+                                                 kGlobalPlanarityHelp),
     number_row<&SurfaceSettings::orientation_tolerance_rad>(
         "orientation_tolerance_rad", 1e-4, 0.785398, "rad", "region_growing",
         "Largest angle to the facade's axes for the orientation classes; 0.0175 = 1 degree."),

@@ -30,6 +30,7 @@ struct SurfaceSettings {
   double min_radius_m = 0.03;  ///< of spheres and cylinders
   double max_radius_m = 0;     ///< 0 = as wide as the cloud
   bool reassign = true;
+  bool global_planarity = false;  ///< surfaces that hold several planes are parted at the end
   double orientation_tolerance_rad = 0.0174533;
   bool facade_frame = true;
 

@@ -12,6 +12,7 @@
 #include "segment/result/point_columns.h"
 #include "segment/settle/assignment.h"
 #include "segment/settle/each_surface.h"
+#include "segment/settle/global_planarity.h"
 #include "segment/settle/splitting.h"
 #include "segment/settle/surface_fit.h"
 #include "segment/surface/primitive_fits.h"
@@ -124,6 +125,7 @@ void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task&
 Segmentation finish_segmentation(const CloudPtr& cloud, SegmentScene& scene,
                                  std::vector<Surface>& surfaces, Task& task) {
   const SurfaceSettings& settings = scene.settings;
+  if (settings.global_planarity) refine_global_planarity(scene, surfaces, task);
   Segmentation out;
   out.cloud = cloud;
   out.segments = make_segments(scene, surfaces, task);
