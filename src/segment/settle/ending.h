@@ -19,7 +19,8 @@ void require_area(const Cloud& cloud, Task& task);
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 
 /// Refinement by global planarity where it is asked for, last fit, normals turned, orientation classes, facade frame,
-/// tables of points and segments; all but parameters_json. Sorts the surfaces, largest first. After: neither they nor the scene hold points any more.
+/// tables of points and segments; all but parameters_json. Sorts the surfaces, largest first. After: neither they nor
+/// the scene hold points any more.
 Segmentation finish_segmentation(const CloudPtr& cloud, SegmentScene& scene,
                                  std::vector<Surface>& surfaces, Task& task);
 

@@ -154,10 +154,12 @@ Stars make_stars(const Octree& tree, const MeshRule& rule, std::vector<float>& r
   return stars;
 }
 
-// Triangles that enough stars have, each from the star of its first corner that has it.
-std::vector<Corners> agreed_triangles(const Stars& stars, size_t n, uint32_t least_stars,
-                                      Task& task) {
-  std::vector<std::vector<Corners>> parts((n + kStarPointsPerChunk - 1) / kStarPointsPerChunk);
+using TriangleParts = std::vector<std::vector<Corners>>;
+
+// Triangles that enough stars have, each from the star of its first corner that has it; in parts, for the stars to go
+// before these become one list.
+TriangleParts agreed_triangles(const Stars& stars, size_t n, uint32_t least_stars, Task& task) {
+  TriangleParts parts((n + kStarPointsPerChunk - 1) / kStarPointsPerChunk);
   parallel_for(task, n, kStarPointsPerChunk, [&](size_t begin, size_t end) {
     auto& part = parts[begin / kStarPointsPerChunk];
     for (size_t point = begin; point < end; ++point)
@@ -172,6 +174,10 @@ std::vector<Corners> agreed_triangles(const Stars& stars, size_t n, uint32_t lea
         if (seen >= least_stars && first == point) part.push_back(t);
       }
   });
+  return parts;
+}
+
+std::vector<Corners> joined(TriangleParts parts) {
   std::vector<Corners> triangles;
   size_t count = 0;
   for (const auto& part : parts) count += part.size();
@@ -189,10 +195,12 @@ LocalMesh local_mesh(const Octree& tree, const MeshRule& rule, Task& task) {
   const size_t n = tree.size();
   LocalMesh mesh;
   mesh.roughness_m.assign(n, INFINITY);
+  TriangleParts agreed;
   {
     const Stars stars = make_stars(tree, rule, mesh.roughness_m, task);
-    mesh.triangles = agreed_triangles(stars, n, rule.least_stars, task);
+    agreed = agreed_triangles(stars, n, rule.least_stars, task);
   }
+  mesh.triangles = joined(std::move(agreed));
   mesh.first.assign(n + 1, 0);
   for (const Corners& t : mesh.triangles)
     for (const uint32_t corner : t) ++mesh.first[corner + 1];
