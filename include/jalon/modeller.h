@@ -25,6 +25,9 @@ typedef struct jalon_modeller jalon_modeller;
  *   base_course, post, ground, roof and element under their facade (Boulaassal 2010, 4.4.1). Edges near another plane
  *   run along the line in which both planes meet, and ends that meet there are one vertex; corners carry covariances.
  *   With "solids" the walls are closed solids of "thickness_m", by default the median depth of the facade's openings.
+ * - "cell_decomposition": as "facade", with openings by the baseline of the literature (Boehm, Becker & Haala 2007;
+ *   Haala, Becker & Kada 2006): upright and level lines through "edge_length_m" of the wall's ends part the wall into
+ *   cells, and cells with less wall than "wall_share" are openings. What something hid is told as an opening too.
  * - "extrusion": the walls alone, extruded inward by that thickness, with the reveals of their openings (4.4.2).
  *   JALON_ERROR_INSUFFICIENT_DATA when no opening tells the depth and thickness_m is 0.
  * - "coded_objects": what the codes of a segmentation by "survey_codes" or "target_codes" describe, as measured; names

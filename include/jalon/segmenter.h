@@ -78,6 +78,9 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  * - "scan_lines": the rows of a scan cut into straight pieces, pieces grown to planes across rows
  *   (Jiang & Bunke 1994). Rows are the fields "row" and "column" of the cloud, else vertical profiles
  *   by the angles about its stations; JALON_ERROR_UNSUPPORTED where it has neither. O(n log n).
+ * Those before this line refine their planes with "global_planarity": segments that hold several planes
+ * (the tolerance is wider than their steps) are parted by 2-means of plane equations over cells of the
+ * segment, and all points shared out anew (Yu, Ferencz & Malik 2008; Cohen-Steiner et al. 2004).
  * - "survey_codes": the objects that a coded total-station survey describes (master's thesis on
  *   feature codes for terrestrial laser scanning, University of Liege 2021). Parameter "codes" is
  *   the list as text, a line a point: ID;X;Y;Z;code in the cloud's system, where a code is sequence

@@ -19,6 +19,8 @@ Model run(const Segmentation& segmentation, const ParamSet& params, Task& task) 
 constexpr ModellingMethod kMethods[] = {
     {"outlines", "modeller outlines", outlines_rows, run<VectoriseSetting, model_outlines>},
     {"facade", "modeller facade", facade_rows, run<FacadeSettings, model_facade>},
+    {"cell_decomposition", "modeller cell_decomposition", cell_decomposition_rows,
+     run<FacadeSettings, model_cell_decomposition>},
     {"extrusion", "modeller extrusion", extrusion_rows, run<ExtrusionSettings, model_extrusion>},
     {"coded_objects", "modeller coded_objects", coded_model_rows,
      run<CodedModelSettings, model_coded_objects>},

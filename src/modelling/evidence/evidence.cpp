@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/parallel.h"
+#include "modelling/evidence/cell_decomposition.h"
 #include "modelling/evidence/contour_holes.h"
 #include "modelling/evidence/drawn_contour.h"
 #include "modelling/evidence/plane_roles.h"
@@ -55,7 +56,9 @@ void look_at_planes(const Segmentation& segmentation, std::span<const size_t> se
       WallEvidence& evidence = out[walls[w]];
       evidence.cells = std::move(cells[w]);
       if (evidence.empty()) continue;
-      evidence.openings = find_openings(evidence.cells, setting.openings, task);
+      evidence.openings = setting.openings.by_cells
+                              ? decomposed_openings(evidence.cells, setting.openings, task)
+                              : find_openings(evidence.cells, setting.openings, task);
       const auto area_of = [&](auto&& counts) {
         const auto& states = evidence.cells.states;
         return static_cast<double>(std::count_if(states.begin(), states.end(), counts)) *

@@ -178,18 +178,9 @@ bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
          longer <= kMostSlender * shorter;
 }
 
-// What the cells show in and about a shape, which is in cells.
 OpeningCandidate candidate_of(const WallCells& cells, const OpeningShape& shape) {
-  OpeningCandidate out;
-  for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
-    ++out.inside.cells[static_cast<size_t>(cells.at(c, r))];
-  });
-  out.bordered = bordered_share(cells, shape, Sides::kAll);
-  out.framed = framed_share(cells, shape);
-  out.relief = relief_share(cells, shape);
-  out.shape = shape.placed(cells.cell_m, cells.origin);
+  OpeningCandidate out = looked_at(cells, shape);
   const OpenEnds open = open_ends(cells, shape);
-  out.is_open_above = open.head;
   out.is_opening =
       is_opening(out, seen_blocks(cells, shape), cells.origin.v) && !(open.head && open.foot);
   return out;
@@ -207,6 +198,19 @@ uint32_t StateCounts::all() const {
   uint32_t sum = 0;
   for (const uint32_t n : cells) sum += n;
   return sum;
+}
+
+OpeningCandidate looked_at(const WallCells& cells, const OpeningShape& shape) {
+  OpeningCandidate out;
+  for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
+    ++out.inside.cells[static_cast<size_t>(cells.at(c, r))];
+  });
+  out.bordered = bordered_share(cells, shape, Sides::kAll);
+  out.framed = framed_share(cells, shape);
+  out.relief = relief_share(cells, shape);
+  out.shape = shape.placed(cells.cell_m, cells.origin);
+  out.is_open_above = open_ends(cells, shape).head;
+  return out;
 }
 
 double StateCounts::share(WallState state) const {

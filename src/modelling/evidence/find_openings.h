@@ -40,7 +40,13 @@ constexpr double kFramedShare = 0.5;
 
 struct OpeningSearch {
   double least_width_m = 0.12;  ///< of what is drawn as an opening
+  bool by_cells = false;        ///< by decomposed_openings() (cell_decomposition.h) instead
+  double edge_length_m = 0.6;   ///< of the ends of the wall in one line that part it into cells
+  double wall_share = 0.5;      ///< of such a cell: with less it is an opening
 };
+
+/// What the cells show in and about a shape, which is in cells; whether it is an opening is not told.
+OpeningCandidate looked_at(const WallCells& cells, const OpeningShape& shape);
 
 /// Openings of a wall by comparing explanations of its cells.
 /// 1. Connected cells that are not wall: boxes of the greatest score, one after the other, until what is left is small.

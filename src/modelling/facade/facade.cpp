@@ -14,8 +14,10 @@ namespace {
 
 constexpr double kLeastEdge_m = 1e-6;  // below what any coordinate is told apart by
 
-EvidenceSetting evidence_setting(const SurveySetting& survey) {
+EvidenceSetting evidence_setting(const PlanSetting& plan) {
+  const SurveySetting& survey = plan.survey;
   EvidenceSetting out;
+  out.openings = plan.openings;
   out.cells.on_m = survey.min_depth_m;
   out.cells.behind_m = survey.max_depth_m;
   return out;
@@ -42,7 +44,7 @@ FacadePlan plan_model(Segmentation& segmentation, const ExtrusionSettings& setti
   if (by_evidence) {
     const ProgressSpan span(task, 0, 0.17, "looking through openings");
     evidence = gather_whole_walls(segmentation, settings.plan.survey.min_depth_m,
-                                  evidence_setting(settings.plan.survey), task);
+                                  evidence_setting(settings.plan), task);
   }
   std::vector<VectorPlane> planes;
   {
@@ -67,6 +69,15 @@ FacadePlan plan_model(Segmentation& segmentation, const ExtrusionSettings& setti
 Model model_facade(const Segmentation& segmentation, const FacadeSettings& settings, Task& task) {
   const double thickness_m = settings.walls.thickness_m;
   return run(segmentation, settings.walls, {settings.solids, false, thickness_m}, task);
+}
+
+Model model_cell_decomposition(const Segmentation& segmentation, const FacadeSettings& settings,
+                               Task& task) {
+  FacadeSettings used = settings;
+  PlanSetting& plan = used.walls.plan;
+  plan.openings.by_cells = plan.by_evidence = true;
+  plan.patterns.enabled = false;  // the text completes nothing
+  return model_facade(segmentation, used, task);
 }
 
 Model model_extrusion(const Segmentation& segmentation, const ExtrusionSettings& settings,

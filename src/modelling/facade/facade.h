@@ -29,6 +29,7 @@ struct FacadeSettings {
 
 /// Their tables.
 std::span<const ParamRow> facade_rows();
+std::span<const ParamRow> cell_decomposition_rows();
 std::span<const ParamRow> extrusion_rows();
 
 /// Walls with windows and doors, their reveals and joinery, and the elements before and behind
@@ -38,6 +39,10 @@ std::span<const ParamRow> extrusion_rows();
 /// 3. facades, their walls, openings told from shadows (plan.h, openings.h);
 /// 4. faces with shared vertices in a tree of parts (assembly.h).
 Model model_facade(const Segmentation& segmentation, const FacadeSettings& settings, Task& task);
+
+/// The same with openings by cell decomposition, without completion of patterns (cell_decomposition.h).
+Model model_cell_decomposition(const Segmentation& segmentation, const FacadeSettings& settings,
+                               Task& task);
 
 /// Steps 1 to 3 alone: what is known before faces are made. segmentation becomes that of which the plan's planes are.
 FacadePlan plan_model(Segmentation& segmentation, const ExtrusionSettings& settings, Task& task);

@@ -108,8 +108,36 @@ constexpr auto kFacadeRows = setting_rows(
     bool_row<&FacadeSettings::solids>(
         "solids", "", "Walls with thickness_m as closed solids; arcs become chords within 1 mm"));
 
+constexpr auto kCellSearchRows = setting_rows(
+    number_row<&OpeningSearch::edge_length_m>(
+        "edge_length_m", 0.01, 100, "m", "",
+        "Least length of a wall's ends in one line, upright or level, for the line to part the "
+        "wall into cells"),
+    number_row<&OpeningSearch::wall_share>(
+        "wall_share", 0, 1, "1", "",
+        "Share of a cell that is wall, by points; with less the cell is an opening"),
+    number_row<&OpeningSearch::least_width_m>("min_opening_width_m", 0, 100, "m", "",
+                                              "Smallest width and height (full) of an opening"));
+constexpr auto kCellPlanSearchRows = nested_rows<&PlanSetting::openings, kCellSearchRows>();
+constexpr auto kCellPlanRows = setting_rows(kCellPlanSearchRows, kWallRows, kDoorRows,
+                                            nested_rows<&PlanSetting::classes, kClassRows>(),
+                                            nested_rows<&PlanSetting::fill, kFillRows>());
+constexpr auto kCellWallRows =
+    setting_rows(nested_rows<&ExtrusionSettings::plan, kCellPlanRows>(),
+                 nested_rows<&ExtrusionSettings::vectorise, kVectoriseRows>(),
+                 nested_rows<&ExtrusionSettings::joints, kJointRows>(),
+                 number_row<&ExtrusionSettings::thickness_m>(
+                     "thickness_m", 0, 100, "m", "",
+                     "Thickness (full) of walls that become solids; 0 = the median depth of the "
+                     "facade's openings"));
+constexpr auto kCellRows = setting_rows(
+    nested_rows<&FacadeSettings::walls, kCellWallRows>(),
+    bool_row<&FacadeSettings::solids>(
+        "solids", "", "Walls with thickness_m as closed solids; arcs become chords within 1 mm"));
+
 }  // namespace
 
+std::span<const ParamRow> cell_decomposition_rows() { return kCellRows; }
 std::span<const ParamRow> facade_rows() { return kFacadeRows; }
 std::span<const ParamRow> extrusion_rows() { return kExtrusionRows; }
 

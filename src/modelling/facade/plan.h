@@ -52,6 +52,7 @@ struct ClassSetting {
 
 struct PlanSetting {
   bool by_evidence = true;  ///< walls and openings; else by the contours of their planes
+  OpeningSearch openings;   ///< with evidence: how its openings are found
   GroupSetting group;
   SurveySetting survey;
   PatternSetting patterns;

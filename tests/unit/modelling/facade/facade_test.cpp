@@ -270,6 +270,20 @@ TEST_CASE("facade: the same bits for any number of threads") {
   CHECK(same_bits(one, facade_of(town_house().segmentation, "{}", 5)));
 }
 
+TEST_CASE("facade__by_cell_decomposition__every_window_of_two_walls_is_found") {
+  const auto model_with = [](unsigned count) {
+    Task::Hooks hooks;
+    hooks.threads = count;
+    Task task(hooks);
+    return model_cell_decomposition(arches().segmentation, FacadeSettings{}, task);
+  };
+  const Model model = model_with(2);
+  CHECK(parts_of(model, "wall").size() == 2);
+  CHECK(parts_of(model, "window").size() + parts_of(model, "opening").size() == 8);
+  CHECK(same_bits(model, model_with(1)));
+  CHECK(same_bits(model, model_with(7)));
+}
+
 TEST_CASE("facade: cancel stops it, no segments give no faces") {
   std::atomic<bool> cancel{true};
   Task::Hooks hooks;
