@@ -115,9 +115,7 @@ constexpr auto kCellSearchRows = setting_rows(
         "wall into cells"),
     number_row<&OpeningSearch::wall_share>(
         "wall_share", 0, 1, "1", "",
-        "Share of a cell that is wall, by points; with less the cell is an opening"),
-    number_row<&OpeningSearch::least_width_m>("min_opening_width_m", 0, 100, "m", "",
-                                              "Smallest width and height (full) of an opening"));
+        "Share of a cell that is wall, by points; with less the cell is an opening"));
 constexpr auto kCellPlanSearchRows = nested_rows<&PlanSetting::openings, kCellSearchRows>();
 constexpr auto kCellPlanRows = setting_rows(kCellPlanSearchRows, kWallRows, kDoorRows,
                                             nested_rows<&PlanSetting::classes, kClassRows>(),
