@@ -117,9 +117,9 @@ constexpr auto kCellSearchRows = setting_rows(
         "wall_share", 0, 1, "1", "",
         "Share of a cell that is wall, by points; with less the cell is an opening"));
 constexpr auto kCellPlanSearchRows = nested_rows<&PlanSetting::openings, kCellSearchRows>();
-constexpr auto kCellPlanRows = setting_rows(kCellPlanSearchRows, kWallRows, kDoorRows,
-                                            nested_rows<&PlanSetting::classes, kClassRows>(),
-                                            nested_rows<&PlanSetting::fill, kFillRows>());
+constexpr auto kCellPlanRows = setting_rows(
+    kCellPlanSearchRows, kWallRows, nested_rows<&PlanSetting::group, kDoorRows>(),
+    nested_rows<&PlanSetting::classes, kClassRows>(), nested_rows<&PlanSetting::fill, kFillRows>());
 constexpr auto kCellWallRows =
     setting_rows(nested_rows<&ExtrusionSettings::plan, kCellPlanRows>(),
                  nested_rows<&ExtrusionSettings::vectorise, kVectoriseRows>(),
