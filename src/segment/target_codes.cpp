@@ -12,7 +12,7 @@ namespace jalon {
 
 // The target method of feature codes (master's thesis, University of Liege 2021, 6.1):
 // 1. read the table and the list; 2. walls; 3. doors; 4. windows; 5. gutters, each from what those before left
-// (form "improved": gutters first);
+// (form "improved": gutters first, at last the reveals of what was found go to the walls);
 // 6. segments, classes and notes.
 Segmentation segment_by_target_codes(const CloudPtr& cloud, const TargetCodeSettings& settings,
                                      Task& task) {
@@ -22,15 +22,16 @@ Segmentation segment_by_target_codes(const CloudPtr& cloud, const TargetCodeSett
       code_table_from_json(settings.input.table.empty() ? kTargetCodeTable : settings.input.table);
   CodedObjects objects = grouped_objects(read_code_list(settings.input.codes, table), table);
   clock.done("codes");
-  TargetScene scene{*cloud, objects, settings, std::vector<uint32_t>(cloud->size(), 0)};
+  TargetScene scene(*cloud, objects, settings, task);
+  clock.done("tiles");
   struct Step {
     void (*take)(TargetScene&, Task&);
     const char* name;
   };
   std::vector<Step> steps{{take_walls, "walls"}, {take_doors, "doors"}, {take_windows, "windows"}};
   // A wall takes what stands out of it by less than its distance.
-  const bool is_improved = settings.input.form == CodeForm::kImproved;
-  steps.insert(is_improved ? steps.begin() : steps.end(), Step{take_gutters, "gutters"});
+  steps.insert(scene.is_improved() ? steps.begin() : steps.end(), Step{take_gutters, "gutters"});
+  if (scene.is_improved()) steps.push_back({take_reveals, "reveals"});
   constexpr double kStepsShare = 0.7;
   for (size_t k = 0; k < steps.size(); ++k) {
     const double share = kStepsShare / static_cast<double>(steps.size());

@@ -37,7 +37,19 @@ ClassFigures by_targets(const CodedYard& yard, CodeForm form) {
   return yard.of(segment_by_target_codes(yard.cloud, settings, task));
 }
 
-// What holds on every seed that was tried; the source asks for 0.89 and 0.82 on facades, improved 0.92 and 0.85.
+// In no class worse by more than 0.002, better wherever the source's form is below 0.9.
+void check_no_worse(const ClassFigures& source, const ClassFigures& improved) {
+  for (size_t c = 0; c < 5; ++c) {
+    CAPTURE(c);
+    if (source.row(c) == 0) continue;
+    CHECK(improved.f1(c) > source.f1(c) - 0.002);
+    if (source.f1(c) < 0.9) CHECK(improved.f1(c) > source.f1(c));
+  }
+}
+
+// What holds on every seed that was tried. The source asks for 0.89 and 0.82 on facades, improved 0.92 and 0.85. Its
+// target method reaches 0.78 to 0.82 here: half of all doors lie 1 or 2 cm behind the even plane of their wall and a
+// third of the gutters has no target, which are of fewer points in the source's cloud.
 constexpr double kLeastSurvey = 0.92, kLeastImprovedSurvey = 0.95;
 constexpr double kFullSpacing_m = 0.02, kShortSpacing_m = 0.04;
 
@@ -50,12 +62,13 @@ TEST_CASE("coded_yard__both_methods_give_points_their_classes") {
     YardZone zone;
     const char* name;
     double least_targets, least_improved;
-  } zones[] = {{YardZone::kComplete, "complete building", 0.90, 0.92},
-               {YardZone::kFacades, "facades", 0.70, 0.84}};
+  } zones[] = {{YardZone::kComplete, "complete building", 0.90, 0.95},
+               {YardZone::kFacades, "facades", 0.70, 0.90}};
   for (const auto& [zone, name, least_targets, least_improved] : zones)
     for (uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
       CAPTURE(seed);
       const CodedYard yard(zone_of(zone), seed, is_full() ? kFullSpacing_m : kShortSpacing_m);
+      ClassFigures source_survey, source_targets;
       for (const CodeForm form : {CodeForm::kSource, CodeForm::kImproved}) {
         const char* form_name = form == CodeForm::kSource ? "source" : "improved";
         const ClassFigures survey = by_survey(yard, form), targets = by_targets(yard, form);
@@ -69,6 +82,12 @@ TEST_CASE("coded_yard__both_methods_give_points_their_classes") {
         if (form == CodeForm::kImproved) CHECK(targets.counts[2][3] + targets.counts[3][2] == 0);
         CHECK(survey.mean_f1() > (form == CodeForm::kSource ? kLeastSurvey : kLeastImprovedSurvey));
         CHECK(targets.mean_f1() > (form == CodeForm::kSource ? least_targets : least_improved));
+        if (form == CodeForm::kSource) {
+          source_survey = survey, source_targets = targets;
+          continue;
+        }
+        check_no_worse(source_survey, survey);
+        check_no_worse(source_targets, targets);
       }
     }
 }
@@ -89,6 +108,10 @@ TEST_CASE("coded_yard__flush_doors_are_lost_to_targets_and_told_and_found_by_the
            std::string::npos;
   };
   CHECK((is_told("door 132") || is_told("door 144")));
+  // Even leaves among waves are found.
+  const ClassFigures improved = by_targets(yard, CodeForm::kImproved);
+  CHECK(improved.recall(2) > 0.95);
+  CHECK(improved.precision(2) > 0.9);
 }
 
 TEST_CASE("coded_yard__targets_at_the_outer_corners_find_more_of_the_windows") {

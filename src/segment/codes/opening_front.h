@@ -16,8 +16,8 @@ struct OpeningFront {
 };
 
 /// Points about an opening, x = place along its plane, y = distance before it, z = height: the two layers of 5 mm that
-/// cover most, then the line of least squares through what lies within 1 cm of it, and at last within 5 mm. False where
-/// that layer covers fewer than 20 places of 5 cm.
+/// have most points, where no place of 5 cm counts for more than most do, then the line of least squares through what
+/// lies within 1 cm of it, and at last within 5 mm. False where that layer covers fewer than 20 places.
 bool find_opening_front(std::span<const Vec3> points, OpeningFront& front);
 
 /// How far before its front a point of a frame may lie: three times the noise of a scanner. What lies farther before it

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <deque>
 
@@ -103,13 +104,12 @@ std::vector<uint32_t> on_pipe(const TargetScene& scene, const std::vector<uint32
   setting.max_radius_m = kThickest_m;
   CircleFit fit;
   if (plan.size() < kFewestGrown || !fit_circle(plan, setting, task, fit)) return grown;
-  return free_points(
-      scene,
-      [&](const Vec3& p) {
-        return p.z >= low && p.z <= high &&
-               std::fabs(fit.circle.distance(in_plan(p))) < kOnCircle_m;
-      },
-      task);
+  return free_among(scene,
+                    scene.tiles.points_about(fit.circle.centre, fit.circle.radius + kOnCircle_m),
+                    [&](const Vec3& p) {
+                      return p.z >= low && p.z <= high &&
+                             std::fabs(fit.circle.distance(in_plan(p))) < kOnCircle_m;
+                    });
 }
 
 }  // namespace
@@ -122,24 +122,26 @@ void take_gutters(TargetScene& scene, Task& task) {
   const auto target = [&](uint32_t number) {
     return scene.place(scene.objects.objects[number - 1].points.front());
   };
-  const double reach = scene.settings.gutter_reach_m * scene.settings.gutter_reach_m;
-  std::vector<uint32_t> points = free_points(
-      scene,
-      [&](const Vec3& p) {
-        for (const uint32_t number : numbers) {
-          const Vec2 d = in_plan(p - target(number));
-          if (dot(d, d) < reach) return true;
-        }
-        return false;
-      },
-      task);
+  const double reach = scene.settings.gutter_reach_m;
+  std::vector<uint32_t> points;
+  for (const uint32_t number : numbers) {
+    const Vec2 at = in_plan(target(number));
+    const std::vector<uint32_t> about =
+        free_among(scene, scene.tiles.points_about(at, reach), [&](const Vec3& p) {
+          const Vec2 d = in_plan(p) - at;
+          return dot(d, d) < reach * reach;
+        });
+    points.insert(points.end(), about.begin(), about.end());
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   if (points.empty()) return;
   const GutterPoints gutters(scene, std::move(points), task);
   for (const uint32_t number : numbers) {
     std::vector<uint32_t> region;
     for (const uint32_t i : gutters.grown(target(number), task))
       region.push_back(gutters.cloud_index(i));
-    if (scene.settings.input.form == CodeForm::kImproved) region = on_pipe(scene, region, task);
+    if (scene.is_improved()) region = on_pipe(scene, region, task);
     for (const uint32_t i : region)
       if (scene.owner[i] == 0) scene.owner[i] = number;
   }

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "segment/codes/opening_front.h"
+#include "segment/codes/target_leaf.h"
 #include "segment/codes/target_scene.h"
 
 namespace jalon {
@@ -18,21 +20,28 @@ constexpr double kSoughtIn =
 // How far two targets of a facade may lie off their common plane, and the cosine of 20 degrees between it and the patch
 // of 10 cm at each.
 constexpr double kOneFacade_m = 0.05, kOneFacadeCosine = 0.94;
+constexpr double kAboutWall_m = 0.5;  // as between the two measurements of a corner
+constexpr double kFlush_m = 0.1;      // of a pane behind a wall whose waves may reach its leaf
 
-// The wall before a door or window shows on which side of their plane the outside is: the points of walls near the
-// target, not the plane's own. 0: none lies there.
-double outside_of(const TargetScene& scene, const Plane& plane, const Vec3& place, double reach_m) {
-  constexpr double kAboutWall_m = 0.5;  // as between the two measurements of a corner
-  double sum = 0;
-  for (size_t i = 0; i < scene.owner.size(); ++i) {
-    if (scene.owner[i] == 0) continue;
-    const CodedObject& owner = scene.objects.objects[scene.owner[i] - 1];
-    if (owner.row.geometry != CodeGeometry::kWallTarget) continue;
-    const Vec3 p = scene.local(i);
-    const double d = plane.distance(p);
-    if (std::fabs(d) < kAboutWall_m && squared_norm(p - place) < reach_m * reach_m) sum += d;
+// The nearest wall along a door's or window's plane: it stands before it, on the outer side. Nothing where no target's
+// wall is near and parallel.
+const TargetWall* wall_before(const TargetScene& scene, const Plane& plane, const Vec3& place) {
+  const TargetWall* found = nullptr;
+  double nearest = kAboutWall_m;
+  for (const TargetWall& wall : scene.walls) {
+    const double off = std::fabs(wall.plane.distance(place));
+    if (off > nearest || std::fabs(dot(wall.plane.normal, plane.normal)) < kOneFacadeCosine)
+      continue;
+    nearest = off;
+    found = &wall;
   }
-  return sum > 0 ? 1 : sum < 0 ? -1 : 0;
+  return found;
+}
+
+// How far the wall stands before a place of the plane, on the side of its normal.
+double wall_offset(const TargetWall& wall, const Plane& plane, const Vec3& place) {
+  const double d = wall.plane.distance(place);
+  return dot(wall.plane.normal, plane.normal) > 0 ? -d : d;
 }
 
 // The plane through a place that stands upright: patches of 10 cm tell little of a lean.
@@ -41,72 +50,154 @@ Plane upright(const Plane& plane, const Vec3& place) {
   return {normal, dot(normal, place)};
 }
 
+// An upright plane of openings, behind or in the wall that tells where outside is.
+struct PaneFrame {
+  Plane plane;
+  Vec3 along;
+  double outside = 1;
+  Vec3 of(const Vec3& p) const { return {dot(p, along), outside * plane.distance(p), p.z}; }
+};
+
+PaneFrame frame_before(const TargetWall& wall, const Plane& plane, const Vec3& place) {
+  PaneFrame frame;
+  frame.plane = upright(plane, place);
+  frame.along = normalized(cross(Vec3{0, 0, 1}, frame.plane.normal));
+  frame.outside = wall_offset(wall, frame.plane, place) > 0 ? 1 : -1;
+  return frame;
+}
+
+// Where the points at a front end, but for the outermost of five hundred on either side: noise.
+void set_ends(std::vector<double>& places, double& low, double& high) {
+  constexpr double kOutermost = 0.002;
+  const auto at = [&](double share) {
+    const auto k = places.begin() +
+                   static_cast<std::ptrdiff_t>(share * static_cast<double>(places.size() - 1));
+    std::nth_element(places.begin(), k, places.end());
+    return *k;
+  };
+  low = at(kOutermost), high = at(1 - kOutermost);
+}
+
 // What of one frame or leaf lies at its front and up to the distance behind it.
-void add_at_front(std::span<const Vec3> flat, std::span<const uint32_t> points, double distance_m,
-                  std::vector<uint32_t>& out) {
-  OpeningFront front;
-  if (!find_opening_front(flat, front)) return;
+void add_at_front(TargetScene& scene, const PaneFrame& frame, std::span<const Vec3> flat,
+                  std::span<const uint32_t> points, double distance_m, std::vector<uint32_t>& out) {
+  FoundOpening found;
+  found.plane = frame.plane, found.along = frame.along, found.outside = frame.outside;
+  if (!find_opening_front(flat, found.front)) return;
+  std::vector<double> places, heights;
   for (size_t k = 0; k < points.size(); ++k) {
-    const double before = flat[k].y - front.before(flat[k].x);
+    const double before = flat[k].y - found.front.before(flat[k].x);
     if (before < kBeforeFront_m && before > -distance_m) out.push_back(points[k]);
+    if (std::fabs(before) > kLeafNoise_m) continue;
+    places.push_back(flat[k].x);
+    heights.push_back(flat[k].z);
   }
+  if (places.empty()) return;
+  set_ends(places, found.left_m, found.right_m);
+  set_ends(heights, found.low_m, found.high_m);
+  scene.openings.push_back(found);
 }
 
 // Form "improved": the points about a plane, apart where nothing lies along it, each group by its own front: windows of
 // one facade differ in depth by centimetres. at: the target's place along the plane where only its group counts.
-std::vector<uint32_t> at_fronts(const TargetScene& scene, const Plane& plane, double outside,
-                                double distance_m, std::vector<uint32_t> points,
-                                const Vec3* only_at) {
-  const Vec3 along = normalized(cross(Vec3{0, 0, 1}, plane.normal));
-  const auto place = [&](uint32_t i) { return dot(scene.local(i), along); };
+std::vector<uint32_t> at_fronts(TargetScene& scene, const PaneFrame& frame, double distance_m,
+                                std::vector<uint32_t> points, const Vec3* only_at) {
+  const auto place = [&](uint32_t i) { return dot(scene.local(i), frame.along); };
   std::stable_sort(points.begin(), points.end(),
                    [&](uint32_t a, uint32_t b) { return place(a) < place(b); });
   std::vector<uint32_t> out;
   for (size_t first = 0, end; first < points.size(); first = end) {
     std::vector<Vec3> flat;
     for (end = first; end < points.size(); ++end) {
-      const double s = place(points[end]);
-      if (!flat.empty() && s - flat.back().x > kApart_m) break;
-      const Vec3 p = scene.local(points[end]);
-      flat.push_back({s, outside * plane.distance(p), p.z});
+      const Vec3 p = frame.of(scene.local(points[end]));
+      if (!flat.empty() && p.x - flat.back().x > kApart_m) break;
+      flat.push_back(p);
     }
-    const double target = only_at != nullptr ? dot(*only_at, along) : flat.front().x;
+    const double target = only_at != nullptr ? dot(*only_at, frame.along) : flat.front().x;
     if (target < flat.front().x - kApart_m || target > flat.back().x + kApart_m) continue;
-    add_at_front(flat, std::span(points).subspan(first, end - first), distance_m, out);
+    add_at_front(scene, frame, flat, std::span(points).subspan(first, end - first), distance_m,
+                 out);
   }
   return out;
 }
 
-// The points of an opening about its plane, among those that keep() takes; only_at: of one opening, its target's place.
+// The free points of an opening about its plane, among those that keep() takes within a radius of a place; only_at: of
+// one opening, its target's place.
 template <class Keep>
-std::vector<uint32_t> opening_points(const TargetScene& scene, const CodedObject& object,
-                                     Plane plane, double reach_m, const Vec3* only_at, Keep&& keep,
-                                     Task& task) {
+std::vector<uint32_t> opening_points(TargetScene& scene, const CodedObject& object, Plane plane,
+                                     const Vec3& middle, double reach_m, const Vec3* only_at,
+                                     Keep&& keep) {
   const Vec3 place = scene.place(object.points.front());
-  const bool is_improved = scene.settings.input.form == CodeForm::kImproved;
-  const double outside = is_improved ? outside_of(scene, plane, place, reach_m) : 0;
-  if (outside != 0) plane = upright(plane, place);
-  const double distance = object.row.distance_m * (outside != 0 ? kSoughtIn : 1);
-  std::vector<uint32_t> points = free_points(
-      scene, [&](const Vec3& p) { return std::fabs(plane.distance(p)) < distance && keep(p); },
-      task);
-  if (outside == 0) return points;
-  return at_fronts(scene, plane, outside, object.row.distance_m, std::move(points), only_at);
+  const TargetWall* wall = scene.is_improved() ? wall_before(scene, plane, place) : nullptr;
+  PaneFrame frame;
+  if (wall != nullptr) {
+    frame = frame_before(*wall, plane, place);
+    plane = frame.plane;
+  }
+  const double distance = object.row.distance_m * (wall != nullptr ? kSoughtIn : 1);
+  std::vector<uint32_t> points =
+      free_among(scene, scene.tiles.points_about(in_plan(middle), reach_m),
+                 [&](const Vec3& p) { return std::fabs(plane.distance(p)) < distance && keep(p); });
+  if (wall == nullptr) return points;
+  return at_fronts(scene, frame, object.row.distance_m, std::move(points), only_at);
 }
 
-void take_door(TargetScene& scene, uint32_t number, Task& task) {
+// Form "improved": a leaf that its wall took, even among the wall's waves.
+bool take_flush_door(TargetScene& scene, uint32_t number) {
+  const CodedObject& object = scene.objects.objects[number - 1];
+  const auto plane = plane_of(scene, patch_of(scene, object.points.front(), true));
+  if (!plane) return false;
+  const Vec3 place = scene.place(object.points.front());
+  const TargetWall* wall = wall_before(scene, *plane, place);
+  if (wall == nullptr || std::fabs(wall->plane.distance(place)) > kFlush_m) return false;
+  const PaneFrame frame = frame_before(*wall, wall->plane, place);
+  const double radius = scene.settings.door_radius_m;
+  std::vector<uint32_t> points;
+  std::vector<Vec3> flat;
+  for (const uint32_t i : scene.tiles.points_about(in_plan(place), radius)) {
+    if (scene.owner[i] != 0 && scene.owner[i] != wall->object) continue;
+    const Vec3 p = frame.of(scene.local(i));
+    if (std::fabs(p.y) > kFlush_m) continue;
+    points.push_back(i);
+    flat.push_back(p);
+  }
+  TargetLeaf leaf;
+  if (!find_leaf(flat, {dot(place, frame.along), place.z}, radius, leaf)) return false;
+  std::vector<uint32_t> taken;
+  size_t from_wall = 0;
+  for (size_t k = 0; k < points.size(); ++k) {
+    const double before = flat[k].y - leaf.front.before(flat[k].x);
+    if (!leaf.holds(flat[k].x, flat[k].z) || before > kBeforeFront_m ||
+        before < -object.row.distance_m)
+      continue;
+    taken.push_back(points[k]);
+    from_wall += scene.owner[points[k]] != 0;
+  }
+  if (2 * from_wall < taken.size()) return false;
+  for (const uint32_t i : taken) scene.owner[i] = number;
+  FoundOpening found;
+  found.plane = frame.plane, found.along = frame.along, found.outside = frame.outside;
+  found.front = leaf.front;
+  found.left_m = leaf.left_m, found.right_m = leaf.right_m;
+  found.low_m = leaf.low_m, found.high_m = leaf.high_m;
+  scene.openings.push_back(found);
+  return true;
+}
+
+void take_door(TargetScene& scene, uint32_t number) {
+  if (scene.is_improved() && take_flush_door(scene, number)) return;
   const CodedObject& object = scene.objects.objects[number - 1];
   const CodedPoint& target = object.points.front();
-  const auto plane = plane_of(scene, patch_of(scene, target, false, task));
+  const auto plane = plane_of(scene, patch_of(scene, target, false));
   if (!plane)
     return warn_of_target(
         scene, object,
         "fewer than three free points lie at its target: flush with its wall, or hidden");
   const Vec3 centre = scene.place(target);
-  const double most = scene.settings.door_radius_m * scene.settings.door_radius_m;
-  for (const uint32_t i : opening_points(
-           scene, object, *plane, scene.settings.door_radius_m, &centre,
-           [&](const Vec3& p) { return squared_norm(p - centre) < most; }, task))
+  const double radius = scene.settings.door_radius_m;
+  for (const uint32_t i :
+       opening_points(scene, object, *plane, centre, radius, &centre,
+                      [&](const Vec3& p) { return squared_norm(p - centre) < radius * radius; }))
     scene.owner[i] = number;
 }
 
@@ -118,12 +209,12 @@ bool between(const Vec3& p, const Vec3& a, const Vec3& b, double margin) {
   return true;
 }
 
-void take_facade(TargetScene& scene, uint32_t number, Task& task) {
+void take_facade(TargetScene& scene, uint32_t number) {
   const CodedObject& object = scene.objects.objects[number - 1];
   std::vector<uint32_t> patch;
   std::vector<Plane> own;
   for (const CodedPoint& target : object.points) {
-    const std::vector<uint32_t> part = patch_of(scene, target, false, task);
+    const std::vector<uint32_t> part = patch_of(scene, target, false);
     patch.insert(patch.end(), part.begin(), part.end());
     const auto plane = plane_of(scene, part);
     if (!plane)
@@ -139,24 +230,31 @@ void take_facade(TargetScene& scene, uint32_t number, Task& task) {
   };
   if (!plane || !agrees(a, own[0]) || !agrees(b, own[1]))
     return warn_of_target(scene, object, "its two targets are on no common plane: left out");
-  for (const uint32_t i : opening_points(
-           scene, object, *plane, norm(b - a), nullptr,
-           [&](const Vec3& p) { return between(p, a, b, scene.settings.window_margin_m); }, task))
+  const size_t first = scene.openings.size();
+  const double margin = scene.settings.window_margin_m,
+               reach = norm(in_plan(b - a)) / 2 + std::numbers::sqrt2 * margin;
+  for (const uint32_t i : opening_points(scene, object, *plane, (a + b) * 0.5, reach, nullptr,
+                                         [&](const Vec3& p) { return between(p, a, b, margin); }))
     scene.owner[i] = number;
+  for (size_t k = first; k < scene.openings.size(); ++k) scene.openings[k].has_sill = true;
 }
 
 }  // namespace
 
 void take_doors(TargetScene& scene, Task& task) {
   for (uint32_t number = 1; number <= scene.objects.objects.size(); ++number)
-    if (scene.objects.objects[number - 1].row.geometry == CodeGeometry::kDoorTarget)
-      take_door(scene, number, task);
+    if (scene.objects.objects[number - 1].row.geometry == CodeGeometry::kDoorTarget) {
+      task.checkpoint(0.5);
+      take_door(scene, number);
+    }
 }
 
 void take_windows(TargetScene& scene, Task& task) {
   for (uint32_t number = 1; number <= scene.objects.objects.size(); ++number)
-    if (scene.objects.objects[number - 1].row.geometry == CodeGeometry::kWindowTarget)
-      take_facade(scene, number, task);
+    if (scene.objects.objects[number - 1].row.geometry == CodeGeometry::kWindowTarget) {
+      task.checkpoint(0.5);
+      take_facade(scene, number);
+    }
 }
 
 }  // namespace jalon

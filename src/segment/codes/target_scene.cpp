@@ -4,13 +4,14 @@
 
 namespace jalon {
 
-std::vector<uint32_t> patch_of(const TargetScene& scene, const CodedPoint& target, bool in_whole,
-                               Task& task) {
-  std::vector<Neighbour> found;
-  scene.cloud.octree(task)->radius(target.position, scene.settings.patch_m, found);
+std::vector<uint32_t> patch_of(const TargetScene& scene, const CodedPoint& target, bool in_whole) {
+  const Vec3 centre = scene.place(target);
+  const double radius = scene.settings.patch_m;
   std::vector<uint32_t> patch;
-  for (const Neighbour& n : found)
-    if (in_whole || scene.owner[n.index] == 0) patch.push_back(n.index);
+  for (const uint32_t i : scene.tiles.points_about(in_plan(centre), radius))
+    if (squared_norm(scene.local(i) - centre) <= radius * radius &&
+        (in_whole || scene.owner[i] == 0))
+      patch.push_back(i);
   return patch;
 }
 

@@ -18,22 +18,28 @@ struct WallPoint {
   uint32_t index, object;
 };
 
-size_t support(const TargetScene& scene, const std::vector<uint32_t>& slab, const Plane& plane,
-               Task& task) {
-  return parallel_reduce(
-      task, slab.size(), kSlabPointsPerChunk, size_t{0}, [&](size_t begin, size_t end) {
-        size_t count = 0;
-        for (size_t i = begin; i < end; ++i)
-          count += std::fabs(plane.distance(scene.local(slab[i]))) < scene.settings.wall_distance_m;
-        return count;
-      });
+size_t support(std::span<const Vec3> slab, const Plane& plane, double distance_m, Task& task) {
+  return parallel_reduce(task, slab.size(), kSlabPointsPerChunk, size_t{0},
+                         [&](size_t begin, size_t end) {
+                           size_t count = 0;
+                           for (size_t i = begin; i < end; ++i)
+                             count += std::fabs(plane.distance(slab[i])) < distance_m;
+                           return count;
+                         });
+}
+
+std::vector<Vec3> places_of(const TargetScene& scene, const std::vector<uint32_t>& slab) {
+  std::vector<Vec3> places;
+  places.reserve(slab.size());
+  for (const uint32_t i : slab) places.push_back(scene.local(i));
+  return places;
 }
 
 // Planes through the target and two points of the slab (Fischler & Bolles 1981, guided by the target). A normal's sign
 // is arbitrary: the angle is that between the lines.
 std::optional<Plane> drawn_wall(const TargetScene& scene, const CodedPoint& target,
-                                const std::vector<uint32_t>& slab, const Plane& first,
-                                uint64_t stream, Task& task) {
+                                std::span<const Vec3> slab, const Plane& first, uint64_t stream,
+                                Task& task) {
   std::optional<Plane> best;
   size_t most = 0;
   if (slab.size() < 2) return best;
@@ -44,11 +50,10 @@ std::optional<Plane> drawn_wall(const TargetScene& scene, const CodedPoint& targ
     const size_t a = random.below(slab.size());
     size_t b = random.below(slab.size() - 1);
     if (b >= a) ++b;
-    const Vec3 normal =
-        normalized(cross(scene.local(slab[a]) - centre, scene.local(slab[b]) - centre));
+    const Vec3 normal = normalized(cross(slab[a] - centre, slab[b] - centre));
     if (!(std::fabs(dot(normal, first.normal)) > least_cosine)) continue;
     const Plane plane{normal, dot(normal, centre)};
-    const size_t count = support(scene, slab, plane, task);
+    const size_t count = support(slab, plane, scene.settings.wall_distance_m, task);
     if (count <= most) continue;
     most = count;
     best = plane;
@@ -72,20 +77,31 @@ Plane adjusted_wall(const TargetScene& scene, const std::vector<uint32_t>& slab,
   return plane;
 }
 
+// How high what was left of each wall reaches.
+void set_heights(TargetScene& scene, std::span<const WallPoint> walls) {
+  for (const WallPoint& p : walls)
+    if (scene.owner[p.index] != 0)
+      for (TargetWall& wall : scene.walls)
+        if (wall.object == p.object) wall.high_m = std::max(wall.high_m, scene.local(p.index).z);
+}
+
 void take_wall(TargetScene& scene, uint32_t number, std::vector<WallPoint>& walls, Task& task) {
   const CodedObject& object = scene.objects.objects[number - 1];
   const CodedPoint& target = object.points.front();
-  const auto first = plane_of(scene, patch_of(scene, target, true, task));
+  const auto first = plane_of(scene, patch_of(scene, target, true));
   if (!first) return warn_of_target(scene, object, "fewer than three points lie at its target");
   const std::vector<uint32_t> slab = free_points(
       scene, [&](const Vec3& p) { return std::fabs(first->distance(p)) < scene.settings.slab_m; },
       task);
-  auto plane = drawn_wall(scene, target, slab, *first, number, task);
+  auto plane = drawn_wall(scene, target, places_of(scene, slab), *first, number, task);
   if (!plane) {
     warn_of_target(scene, object, "no drawn plane is near that of its target, which is taken");
     plane = first;
   }
-  if (scene.settings.input.form == CodeForm::kImproved) plane = adjusted_wall(scene, slab, *plane);
+  if (scene.is_improved()) {
+    plane = adjusted_wall(scene, slab, *plane);
+    scene.walls.push_back({.object = number, .plane = *plane});
+  }
   for (const uint32_t i : slab)
     if (std::fabs(plane->distance(scene.local(i))) < scene.settings.wall_distance_m) {
       scene.owner[i] = number;
@@ -146,12 +162,13 @@ void take_walls(TargetScene& scene, Task& task) {
     if (scene.objects.objects[number - 1].row.geometry == CodeGeometry::kWallTarget)
       take_wall(scene, number, walls, task);
   task.checkpoint(1);
-  if (scene.settings.input.form == CodeForm::kSource) return cut_walls(scene, walls);
+  if (!scene.is_improved()) return cut_walls(scene, walls);
   // Buildings differ in height: each wall ends below its own gap.
   for (size_t first = 0, end = 0; first < walls.size(); first = end) {
     while (end < walls.size() && walls[end].object == walls[first].object) ++end;
     cut_walls(scene, std::span(walls).subspan(first, end - first));
   }
+  set_heights(scene, walls);
 }
 
 }  // namespace jalon

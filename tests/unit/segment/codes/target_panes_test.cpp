@@ -54,3 +54,22 @@ TEST_CASE("target_panes__improved_reveals_are_no_windows") {
   CHECK(house.confused(improved, 3, 3) == house.of(3));
   CHECK(house.confused(improved, 2, 2) == house.of(2));
 }
+
+TEST_CASE("target_panes__improved_a_flush_leaf_is_found_among_the_waves_of_its_wall") {
+  // The same wall and leaf as everywhere, the wall in waves about it.
+  TargetHouse house(0.02);
+  for (size_t i = 0; i < house.points.size(); ++i)
+    if (house.truth[i] == 1 && house.points[i].x > 0.6)  // even at its target
+      house.points[i].y = 0.025 * std::sin(31.4159 * house.points[i].x);
+  TargetCodeSettings settings;
+  settings.input.codes = "1;0.5;0;0.4;1\n2;1.5;0.02;0.5;2\n";
+  Task task;
+  const CloudPtr cloud = cloud_of(house.points);
+  const Segmentation source = segment_by_target_codes(cloud, settings, task);
+  CHECK(house.confused(source, 2, 2) < house.of(2) * 6 / 10);
+  settings.input.form = CodeForm::kImproved;
+  const Segmentation improved = segment_by_target_codes(cloud, settings, task);
+  CHECK(house.confused(improved, 2, 2) > house.of(2) * 95 / 100);
+  CHECK(house.confused(improved, 1, 2) < house.of(2) / 10);  // crests beside it
+  CHECK(warned(improved, "door 2").empty());
+}

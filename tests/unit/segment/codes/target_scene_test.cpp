@@ -15,20 +15,21 @@ TEST_CASE("target_scene__a_patch_has_the_free_points_within_its_radius_and_a_pla
   CodedObjects objects;
   const TargetCodeSettings settings;
   Task task;
-  TargetScene scene{*cloud, objects, settings, std::vector<uint32_t>(cloud->size(), 0)};
+  TargetScene scene(*cloud, objects, settings, task);
   CodedPoint target;
   target.position = {1.5, 0.12, 0.5};
-  const std::vector<uint32_t> patch = patch_of(scene, target, false, task);
+  const std::vector<uint32_t> patch = patch_of(scene, target, false);
   CHECK(patch.size() > 15);
   for (const uint32_t i : patch) CHECK(norm(scene.local(i) - target.position) <= 0.05);
   const auto plane = plane_of(scene, patch);
   REQUIRE(plane.has_value());
   CHECK(std::fabs(plane->normal.y) == doctest::Approx(1));
   scene.owner[patch[0]] = 1;
-  CHECK(patch_of(scene, target, false, task).size() == patch.size() - 1);
-  CHECK(patch_of(scene, target, true, task).size() == patch.size());
+  CHECK(patch_of(scene, target, false).size() == patch.size() - 1);
+  CHECK(patch_of(scene, target, true).size() == patch.size());
   CHECK(!plane_of(scene, {patch[0], patch[1]}).has_value());
   CHECK(free_points(
             scene, [](const Vec3&) { return true; }, task)
             .size() == cloud->size() - 1);
+  CHECK(free_among(scene, patch, [](const Vec3&) { return true; }).size() == patch.size() - 1);
 }
