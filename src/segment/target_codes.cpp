@@ -10,6 +10,37 @@
 
 namespace jalon {
 
+namespace {
+
+constexpr double kStepsShare = 0.7;
+
+struct TargetStep {
+  void (*take)(TargetScene&, Task&);
+  const char* name;
+};
+
+// The object of each point; what is known of places goes with the scene.
+std::vector<uint32_t> owners(const Cloud& cloud, CodedObjects& objects,
+                             const TargetCodeSettings& settings, StepClock& clock, Task& task) {
+  TargetScene scene(cloud, objects, settings, task);
+  clock.done("tiles");
+  std::vector<TargetStep> steps{
+      {take_walls, "walls"}, {take_doors, "doors"}, {take_windows, "windows"}};
+  // A wall takes what stands out of it by less than its distance.
+  steps.insert(scene.is_improved() ? steps.begin() : steps.end(), {take_gutters, "gutters"});
+  if (scene.is_improved()) steps.push_back({take_reveals, "reveals"});
+  for (size_t k = 0; k < steps.size(); ++k) {
+    const double share = kStepsShare / static_cast<double>(steps.size());
+    ProgressSpan span(task, share * static_cast<double>(k), share * static_cast<double>(k + 1),
+                      steps[k].name);
+    steps[k].take(scene, task);
+    clock.done(steps[k].name);
+  }
+  return std::move(scene.owner);
+}
+
+}  // namespace
+
 // The target method of feature codes (master's thesis, University of Liege 2021, 6.1):
 // 1. read the table and the list; 2. walls; 3. doors; 4. windows; 5. gutters, each from what those before left
 // (form "improved": gutters first, at last the reveals of what was found go to the walls);
@@ -22,28 +53,11 @@ Segmentation segment_by_target_codes(const CloudPtr& cloud, const TargetCodeSett
       code_table_from_json(settings.input.table.empty() ? kTargetCodeTable : settings.input.table);
   CodedObjects objects = grouped_objects(read_code_list(settings.input.codes, table), table);
   clock.done("codes");
-  TargetScene scene(*cloud, objects, settings, task);
-  clock.done("tiles");
-  struct Step {
-    void (*take)(TargetScene&, Task&);
-    const char* name;
-  };
-  std::vector<Step> steps{{take_walls, "walls"}, {take_doors, "doors"}, {take_windows, "windows"}};
-  // A wall takes what stands out of it by less than its distance.
-  steps.insert(scene.is_improved() ? steps.begin() : steps.end(), Step{take_gutters, "gutters"});
-  if (scene.is_improved()) steps.push_back({take_reveals, "reveals"});
-  constexpr double kStepsShare = 0.7;
-  for (size_t k = 0; k < steps.size(); ++k) {
-    const double share = kStepsShare / static_cast<double>(steps.size());
-    ProgressSpan span(task, share * static_cast<double>(k), share * static_cast<double>(k + 1),
-                      steps[k].name);
-    steps[k].take(scene, task);
-    clock.done(steps[k].name);
-  }
+  std::vector<uint32_t> owner = owners(*cloud, objects, settings, clock, task);
   ProgressSpan span(task, kStepsShare, 1, "segments");
-  warn_of_empty(*cloud, scene.owner, objects, task);
-  Segmentation out = coded_segmentation(cloud, std::move(scene.owner), objects, settings.input,
-                                        "target_codes", task);
+  warn_of_empty(*cloud, owner, objects, task);
+  Segmentation out =
+      coded_segmentation(cloud, std::move(owner), objects, settings.input, "target_codes", task);
   out.parameters_json = settings_json(target_code_rows(), settings);
   clock.done("segments");
   return out;

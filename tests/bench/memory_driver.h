@@ -48,7 +48,7 @@ static void reset_peak(void) {
 }
 
 /* Rows of three doubles. */
-static double* load(const char* prefix, const char* suffix, uint64_t* count) {
+static inline double* load(const char* prefix, const char* suffix, uint64_t* count) {
   char path[LINE_BYTES];
   double* xyz;
   long bytes;

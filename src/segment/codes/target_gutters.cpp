@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
 
@@ -12,11 +13,14 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGutterPointsPerChunk = 256;
+constexpr double kLongest =
+    2;  // times the text's radii: then normals are those of more than the pipe
 
 // The points about the gutters' targets in plan, with their own search tree and normals.
 class GutterPoints {
  public:
-  GutterPoints(const TargetScene& scene, std::vector<uint32_t> points, Task& task)
+  /// seed: of form "improved" the target about which a coarse scan makes the radii longer; else null.
+  GutterPoints(const TargetScene& scene, std::vector<uint32_t> points, const Vec3* seed, Task& task)
       : scene_(scene), points_(std::move(points)), xyz_(3 * points_.size()) {
     Box3 box;
     for (size_t i = 0; i < points_.size(); ++i) {
@@ -25,15 +29,15 @@ class GutterPoints {
       for (int k = 0; k < 3; ++k) xyz_[3 * i + static_cast<size_t>(k)] = p[k];
     }
     tree_ = Octree::build(xyz_, enclosing_cube(box), task);
+    if (seed != nullptr) longer_ = longer_about(*seed);
     normals_.resize(points_.size());
     parallel_for(task, points_.size(), kGutterPointsPerChunk, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) normals_[i] = normal_at(i);
     });
   }
 
-  uint32_t cloud_index(uint32_t i) const { return points_[i]; }
-
-  /// Grown from the point nearest to the target, in the order in which they join; empty when none is near.
+  /// Points of the cloud, grown from that nearest to the target, in the order in which they join; none when none is
+  /// near.
   std::vector<uint32_t> grown(const Vec3& target, Task& task) const {
     Neighbour seed;
     if (!tree_->nearest_within(target, scene_.settings.gutter_reach_m, seed)) return {};
@@ -43,23 +47,42 @@ class GutterPoints {
     std::vector<Neighbour> near;
     for (size_t at = 0; at < region.size(); ++at) {
       if (at % kGutterPointsPerChunk == 0) task.checkpoint(0.5);
-      tree_->radius(point(region[at]), scene_.settings.growing_radius_m, near);
+      tree_->radius(point(region[at]), longer_ * scene_.settings.growing_radius_m, near);
       for (const Neighbour& n : near) {
         if (in_region[n.index] || !joins(normals_[region[at]], normals_[n.index])) continue;
         in_region[n.index] = true;
         region.push_back(n.index);
       }
     }
+    for (uint32_t& i : region) i = points_[i];
     return region;
   }
 
  private:
   Vec3 point(size_t i) const { return {xyz_[3 * i], xyz_[3 * i + 1], xyz_[3 * i + 2]}; }
 
+  // The text's radii are for 10 000 points/m2 or more, a dozen within the radius of growing: as much as the dozenth is
+  // farther about the target.
+  double longer_about(const Vec3& target) const {
+    constexpr uint32_t kDozen = 12;
+    Neighbour seed;
+    if (!tree_->nearest_within(target, scene_.settings.gutter_reach_m, seed)) return 1;
+    std::array<Neighbour, kDozen> about, own;
+    const size_t n = tree_->knn(point(seed.index), kDozen, about);
+    std::vector<double> farthest;
+    for (size_t k = 0; k < n; ++k) {
+      const size_t m = tree_->knn(point(about[k].index), kDozen, own);
+      farthest.push_back(std::sqrt(own[m - 1].squared_distance));
+    }
+    std::nth_element(farthest.begin(), farthest.begin() + static_cast<std::ptrdiff_t>(n / 2),
+                     farthest.end());
+    return std::clamp(farthest[n / 2] / scene_.settings.growing_radius_m, 1.0, kLongest);
+  }
+
   // Zero with fewer than three neighbours: it joins nothing.
   Vec3 normal_at(size_t i) const {
     std::vector<Neighbour> near;
-    tree_->radius(point(i), scene_.settings.gutter_normal_radius_m, near);
+    tree_->radius(point(i), longer_ * scene_.settings.gutter_normal_radius_m, near);
     Moments moments;
     moments.reference = point(i);
     size_t others = 0;
@@ -82,14 +105,26 @@ class GutterPoints {
   std::vector<uint32_t> points_;
   std::vector<double> xyz_;
   std::shared_ptr<const Octree> tree_;
+  double longer_ = 1;
   std::vector<Vec3> normals_;
 };
 
-// Form "improved": what lies on the circle about which the grown points lie, between their ends; they themselves where
-// they lie about none.
+// From low to high as far up and down as the heights of points leave no gap.
+void extend(std::vector<double> heights, double& low, double& high) {
+  constexpr double kGap_m = 0.10;  // five steps of growing
+  std::sort(heights.begin(), heights.end());
+  for (const double z : heights)
+    if (z > high && z < high + kGap_m) high = z;
+  for (auto z = heights.rbegin(); z != heights.rend(); ++z)
+    if (*z<low&& * z> low - kGap_m) low = *z;
+}
+
+// Form "improved": what lies on the side that is seen of the circle about which the grown points lie, from end to end;
+// they themselves where they lie about none.
 std::vector<uint32_t> on_pipe(const TargetScene& scene, const std::vector<uint32_t>& grown,
                               Task& task) {
   constexpr double kOnCircle_m = 0.01, kThinnest_m = 0.01, kThickest_m = 0.15;
+  constexpr double kFront = 0.5, kSide = -0.1;  // of the radius, towards the viewer
   constexpr size_t kFewestGrown = 40;
   std::vector<Vec2> plan;
   double low = INFINITY, high = -INFINITY;
@@ -104,12 +139,28 @@ std::vector<uint32_t> on_pipe(const TargetScene& scene, const std::vector<uint32
   setting.max_radius_m = kThickest_m;
   CircleFit fit;
   if (plan.size() < kFewestGrown || !fit_circle(plan, setting, task, fit)) return grown;
-  return free_among(scene,
-                    scene.tiles.points_about(fit.circle.centre, fit.circle.radius + kOnCircle_m),
-                    [&](const Vec3& p) {
-                      return p.z >= low && p.z <= high &&
-                             std::fabs(fit.circle.distance(in_plan(p))) < kOnCircle_m;
-                    });
+  Vec2 outward;
+  for (const Vec2& p : plan) outward = outward + (p - fit.circle.centre);
+  outward = outward * (1 / norm(outward));
+  const auto side = [&](const Vec3& p) {
+    return dot(in_plan(p) - fit.circle.centre, outward) / fit.circle.radius;
+  };
+  std::vector<uint32_t> on = free_among(
+      scene, scene.tiles.points_about(fit.circle.centre, fit.circle.radius + kOnCircle_m),
+      [&](const Vec3& p) {
+        return std::fabs(fit.circle.distance(in_plan(p))) < kOnCircle_m && side(p) > kSide;
+      });
+  std::vector<double> heights;
+  for (const uint32_t i : on)
+    if (side(scene.local(i)) > kFront) heights.push_back(scene.local(i).z);
+  extend(std::move(heights), low, high);
+  std::erase_if(on, [&](uint32_t i) { return scene.local(i).z < low || scene.local(i).z > high; });
+  return on;
+}
+
+void give(TargetScene& scene, const std::vector<uint32_t>& points, uint32_t number) {
+  for (const uint32_t i : points)
+    if (scene.owner[i] == 0) scene.owner[i] = number;
 }
 
 }  // namespace
@@ -123,28 +174,27 @@ void take_gutters(TargetScene& scene, Task& task) {
     return scene.place(scene.objects.objects[number - 1].points.front());
   };
   const double reach = scene.settings.gutter_reach_m;
-  std::vector<uint32_t> points;
+  std::vector<uint32_t> all;
   for (const uint32_t number : numbers) {
-    const Vec2 at = in_plan(target(number));
-    const std::vector<uint32_t> about =
-        free_among(scene, scene.tiles.points_about(at, reach), [&](const Vec3& p) {
-          const Vec2 d = in_plan(p) - at;
+    const Vec3 place = target(number);
+    std::vector<uint32_t> about =
+        free_among(scene, scene.tiles.points_about(in_plan(place), reach), [&](const Vec3& p) {
+          const Vec2 d = in_plan(p - place);
           return dot(d, d) < reach * reach;
         });
-    points.insert(points.end(), about.begin(), about.end());
+    if (about.empty()) continue;
+    if (!scene.is_improved()) {
+      all.insert(all.end(), about.begin(), about.end());
+      continue;
+    }
+    const GutterPoints gutter(scene, std::move(about), &place, task);
+    give(scene, on_pipe(scene, gutter.grown(place, task), task), number);
   }
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  if (points.empty()) return;
-  const GutterPoints gutters(scene, std::move(points), task);
-  for (const uint32_t number : numbers) {
-    std::vector<uint32_t> region;
-    for (const uint32_t i : gutters.grown(target(number), task))
-      region.push_back(gutters.cloud_index(i));
-    if (scene.is_improved()) region = on_pipe(scene, region, task);
-    for (const uint32_t i : region)
-      if (scene.owner[i] == 0) scene.owner[i] = number;
-  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  if (all.empty()) return;
+  const GutterPoints gutters(scene, std::move(all), nullptr, task);
+  for (const uint32_t number : numbers) give(scene, gutters.grown(target(number), task), number);
 }
 
 }  // namespace jalon

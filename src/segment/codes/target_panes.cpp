@@ -20,8 +20,9 @@ constexpr double kSoughtIn =
 // How far two targets of a facade may lie off their common plane, and the cosine of 20 degrees between it and the patch
 // of 10 cm at each.
 constexpr double kOneFacade_m = 0.05, kOneFacadeCosine = 0.94;
-constexpr double kAboutWall_m = 0.5;  // as between the two measurements of a corner
-constexpr double kFlush_m = 0.1;      // of a pane behind a wall whose waves may reach its leaf
+constexpr double kAboutWall_m = 0.5;     // as between the two measurements of a corner
+constexpr double kWidestWindow_m = 2.5;  // of one storey high
+constexpr double kFlush_m = 0.1;         // of a pane behind a wall whose waves may reach its leaf
 
 // The nearest wall along a door's or window's plane: it stands before it, on the outer side. Nothing where no target's
 // wall is near and parallel.
@@ -56,6 +57,21 @@ struct PaneFrame {
   Vec3 along;
   double outside = 1;
   Vec3 of(const Vec3& p) const { return {dot(p, along), outside * plane.distance(p), p.z}; }
+};
+
+// Where the points of one or more openings are looked for: between two places, widened in plan and in height.
+struct PaneRange {
+  Vec3 a, b;
+  double margin_m = 0;  // in plan
+  double low_m = 0, high_m = 0;
+  double beyond_m = 0;  // of the far end of an opening that begins within the margin
+
+  Vec2 middle() const { return in_plan(a + b) * 0.5; }
+  double reach_m() const { return norm(in_plan(b - a)) / 2 + margin_m; }
+  std::pair<double, double> along(const Vec3& direction) const {
+    const double s = dot(a, direction), t = dot(b, direction);
+    return {std::min(s, t) - margin_m, std::max(s, t) + margin_m};
+  }
 };
 
 PaneFrame frame_before(const TargetWall& wall, const Plane& plane, const Vec3& place) {
@@ -99,10 +115,12 @@ void add_at_front(TargetScene& scene, const PaneFrame& frame, std::span<const Ve
 }
 
 // Form "improved": the points about a plane, apart where nothing lies along it, each group by its own front: windows of
-// one facade differ in depth by centimetres. at: the target's place along the plane where only its group counts.
+// one facade differ in depth by centimetres. Groups count whole that reach into the range between two places along the
+// plane, widened: a door's target, the two of a facade.
 std::vector<uint32_t> at_fronts(TargetScene& scene, const PaneFrame& frame, double distance_m,
-                                std::vector<uint32_t> points, const Vec3* only_at) {
+                                std::vector<uint32_t> points, const PaneRange& range) {
   const auto place = [&](uint32_t i) { return dot(scene.local(i), frame.along); };
+  const auto [low, high] = range.along(frame.along);
   std::stable_sort(points.begin(), points.end(),
                    [&](uint32_t a, uint32_t b) { return place(a) < place(b); });
   std::vector<uint32_t> out;
@@ -113,33 +131,34 @@ std::vector<uint32_t> at_fronts(TargetScene& scene, const PaneFrame& frame, doub
       if (!flat.empty() && p.x - flat.back().x > kApart_m) break;
       flat.push_back(p);
     }
-    const double target = only_at != nullptr ? dot(*only_at, frame.along) : flat.front().x;
-    if (target < flat.front().x - kApart_m || target > flat.back().x + kApart_m) continue;
+    if (flat.back().x < low || flat.front().x > high) continue;
     add_at_front(scene, frame, flat, std::span(points).subspan(first, end - first), distance_m,
                  out);
   }
   return out;
 }
 
-// The free points of an opening about its plane, among those that keep() takes within a radius of a place; only_at: of
-// one opening, its target's place.
+// The free points of an opening about its plane, among those that keep() takes; form "improved": the whole groups.
 template <class Keep>
-std::vector<uint32_t> opening_points(TargetScene& scene, const CodedObject& object, Plane plane,
-                                     const Vec3& middle, double reach_m, const Vec3* only_at,
-                                     Keep&& keep) {
-  const Vec3 place = scene.place(object.points.front());
-  const TargetWall* wall = scene.is_improved() ? wall_before(scene, plane, place) : nullptr;
-  PaneFrame frame;
-  if (wall != nullptr) {
-    frame = frame_before(*wall, plane, place);
-    plane = frame.plane;
-  }
-  const double distance = object.row.distance_m * (wall != nullptr ? kSoughtIn : 1);
-  std::vector<uint32_t> points =
-      free_among(scene, scene.tiles.points_about(in_plan(middle), reach_m),
-                 [&](const Vec3& p) { return std::fabs(plane.distance(p)) < distance && keep(p); });
-  if (wall == nullptr) return points;
-  return at_fronts(scene, frame, object.row.distance_m, std::move(points), only_at);
+std::vector<uint32_t> opening_points(TargetScene& scene, const CodedObject& object,
+                                     const Plane& plane, const PaneRange& range, Keep&& keep) {
+  const TargetWall* wall =
+      scene.is_improved() ? wall_before(scene, plane, scene.place(object.points.front())) : nullptr;
+  const double distance = object.row.distance_m;
+  if (wall == nullptr)
+    return free_among(
+        scene, scene.tiles.points_about(range.middle(), range.reach_m() + range.beyond_m),
+        [&](const Vec3& p) { return std::fabs(plane.distance(p)) < distance && keep(p); });
+  const PaneFrame frame = frame_before(*wall, plane, scene.place(object.points.front()));
+  const auto [low, high] = range.along(frame.along);
+  std::vector<uint32_t> points = free_among(
+      scene, scene.tiles.points_about(range.middle(), range.reach_m() + range.beyond_m),
+      [&](const Vec3& p) {
+        const double at = dot(p, frame.along);
+        return std::fabs(frame.plane.distance(p)) < distance * kSoughtIn && p.z > range.low_m &&
+               p.z < range.high_m && at > low - range.beyond_m && at < high + range.beyond_m;
+      });
+  return at_fronts(scene, frame, distance, std::move(points), range);
 }
 
 // Form "improved": a leaf that its wall took, even among the wall's waves.
@@ -195,9 +214,11 @@ void take_door(TargetScene& scene, uint32_t number) {
         "fewer than three free points lie at its target: flush with its wall, or hidden");
   const Vec3 centre = scene.place(target);
   const double radius = scene.settings.door_radius_m;
-  for (const uint32_t i :
-       opening_points(scene, object, *plane, centre, radius, &centre,
-                      [&](const Vec3& p) { return squared_norm(p - centre) < radius * radius; }))
+  const PaneRange range{centre,           centre, kApart_m, centre.z - radius, centre.z + radius,
+                        radius - kApart_m};
+  for (const uint32_t i : opening_points(scene, object, *plane, range, [&](const Vec3& p) {
+         return squared_norm(p - centre) < radius * radius;
+       }))
     scene.owner[i] = number;
 }
 
@@ -231,9 +252,15 @@ void take_facade(TargetScene& scene, uint32_t number) {
   if (!plane || !agrees(a, own[0]) || !agrees(b, own[1]))
     return warn_of_target(scene, object, "its two targets are on no common plane: left out");
   const size_t first = scene.openings.size();
-  const double margin = scene.settings.window_margin_m,
-               reach = norm(in_plan(b - a)) / 2 + std::numbers::sqrt2 * margin;
-  for (const uint32_t i : opening_points(scene, object, *plane, (a + b) * 0.5, reach, nullptr,
+  // A margin along the axes is as much as 1.41 times longer along a facade, whatever its direction.
+  const double margin = scene.settings.window_margin_m;
+  const PaneRange range{a,
+                        b,
+                        std::numbers::sqrt2 * margin,
+                        std::min(a.z, b.z) - margin,
+                        std::max(a.z, b.z) + margin,
+                        kWidestWindow_m};
+  for (const uint32_t i : opening_points(scene, object, *plane, range,
                                          [&](const Vec3& p) { return between(p, a, b, margin); }))
     scene.owner[i] = number;
   for (size_t k = first; k < scene.openings.size(); ++k) scene.openings[k].has_sill = true;

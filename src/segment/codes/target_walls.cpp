@@ -130,26 +130,50 @@ struct Extent {
   double low = INFINITY, high = -INFINITY;
 };
 
-// Columns of the plan whose points do not reach the height of a wall go back, and what lies above the gap.
-void cut_walls(TargetScene& scene, std::span<const WallPoint> walls) {
-  const double top = top_of(scene, walls), cell = scene.settings.wall_cell_m;
-  std::unordered_map<uint64_t, Extent> columns;
-  const auto column_of = [&](const Vec3& p) {
-    const auto x = static_cast<int64_t>(std::floor(p.x / cell));
-    const auto y = static_cast<int64_t>(std::floor(p.y / cell));
+// The columns of the plan and between which heights their points lie.
+class Columns {
+ public:
+  Columns(const TargetScene& scene, std::span<const WallPoint> walls, double top_m, double cell_m)
+      : cell_m_(cell_m) {
+    for (const WallPoint& point : walls) {
+      const Vec3 p = scene.local(point.index);
+      if (p.z >= top_m) continue;
+      Extent& extent = extents_[key(p)];
+      extent.low = std::min(extent.low, p.z);
+      extent.high = std::max(extent.high, p.z);
+    }
+  }
+  size_t size() const { return extents_.size(); }
+  double height_at(const Vec3& p) const {
+    const auto column = extents_.find(key(p));
+    return column == extents_.end() ? 0 : column->second.high - column->second.low;
+  }
+
+ private:
+  uint64_t key(const Vec3& p) const {
+    const auto x = static_cast<int64_t>(std::floor(p.x / cell_m_));
+    const auto y = static_cast<int64_t>(std::floor(p.y / cell_m_));
     return static_cast<uint64_t>(x) << 32 ^ (static_cast<uint64_t>(y) & 0xffffffffu);
-  };
-  for (const WallPoint& point : walls) {
-    const Vec3 p = scene.local(point.index);
-    if (p.z >= top) continue;
-    Extent& extent = columns[column_of(p)];
-    extent.low = std::min(extent.low, p.z);
-    extent.high = std::max(extent.high, p.z);
+  }
+  double cell_m_;
+  std::unordered_map<uint64_t, Extent> extents_;
+};
+
+// Columns of the plan whose points do not reach the height of a wall go back, and what lies above the gap. Form
+// "improved": columns wide enough for a coarse scan to show how high their wall is.
+void cut_walls(TargetScene& scene, std::span<const WallPoint> walls) {
+  constexpr size_t kPointsInColumn = 40;
+  constexpr int kMostDoublings = 3;
+  const double top = top_of(scene, walls);
+  double cell = scene.settings.wall_cell_m;
+  Columns columns(scene, walls, top, cell);
+  for (int k = 0; scene.is_improved() && k < kMostDoublings; ++k) {
+    if (walls.size() >= kPointsInColumn * columns.size()) break;
+    columns = Columns(scene, walls, top, cell *= 2);
   }
   for (const WallPoint& point : walls) {
     const Vec3 p = scene.local(point.index);
-    const auto column = columns.find(column_of(p));
-    if (p.z >= top || column->second.high - column->second.low < scene.settings.least_wall_height_m)
+    if (p.z >= top || columns.height_at(p) < scene.settings.least_wall_height_m)
       scene.owner[point.index] = 0;
   }
 }
