@@ -16,6 +16,7 @@
 #include <jalon/adjustment.h>
 #include <jalon/comparer.h>
 #include <jalon/modeller.h>
+#include <jalon/network.h>
 #include <jalon/registrar.h>
 
 JALON_BEGIN_C
@@ -157,6 +158,18 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_registration(
 JALON_API JALON_CHECK jalon_status jalon_report_write_adjustment(
     const jalon_adjustment* adjustment, const jalon_trajectory* truth, const char* notes_json,
     const char* path, const jalon_params* options, jalon_task* task);
+
+/**
+ * A total-station network. A path that ends in ".svg" gives the plan alone: stations, fixed, weak and sighted points,
+ * sights (those with an outlier red) and 95 % ellipses enlarged by a stated factor, north up. Any other is one
+ * self-contained HTML page: the global test, the plan, reliability (Baarda 1968), points with standard deviations and
+ * ellipses, observations from the largest normalised residual, parameters, times. O(n log n).
+ *
+ * - notes_json: as in jalon_report_write_html.
+ */
+JALON_API JALON_CHECK jalon_status jalon_report_write_network(const jalon_network* network,
+                                                              const char* notes_json,
+                                                              const char* path, jalon_task* task);
 
 JALON_END_C
 

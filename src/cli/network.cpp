@@ -136,9 +136,16 @@ struct NetworkJob {
     write_text_file(folder.path("codes.txt"), codes);
     write_text_file(folder.path("network.json"),
                     result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    const Json notes{{"title", "Total-station network"},
+                     {"input", {{"observations", observations}, {"points", points}}}};
+    for (const char* file : {"report.html", "plan.svg"})
+      must(jalon_report_write_network(
+          network.get(), notes.dump(-1, ' ', false, Json::error_handler_t::replace).c_str(),
+          folder.path(file).c_str(), console.task()));
     folder.commit();
     say(console, summary, sights, point_table);
-    console.say("wrote " + output + ": points.csv, observations.csv, codes.txt, network.json");
+    console.say("wrote " + output +
+                ": report.html, plan.svg, points.csv, observations.csv, codes.txt, network.json");
     console.result(result);
   }
 };

@@ -73,6 +73,7 @@ BASE = {
     "jalon_report_write_histogram.path": 'fx_path("histogram.svg")',
     "jalon_report_write_comparison.path": 'fx_path("comparison.html")', "jalon_report_write_comparison.changes": "NULL",
     "jalon_report_write_adjustment.path": 'fx_path("adjustment.html")',
+    "jalon_report_write_network.path": 'fx_path("network.html")',
     "jalon_report_write_registration.path": 'fx_path("registration.html")',
     "jalon_report_write_picture.path": 'fx_path("picture.svg")', "jalon_report_write_json.path": 'fx_path("out.json")', "jalon_params_set_string.value": "fx_text_value",
     "jalon_area_indices.automatic_m2": "fx_areas", "jalon_area_indices.reference_m2": "fx_areas",

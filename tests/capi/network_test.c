@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -55,6 +56,28 @@ static void network__tells_points_observations_and_codes(void** state) {
   jalon_fields_release(summary);
 }
 
+static void network__its_report_is_a_page_or_a_plan(void** state) {
+  static const char* const paths[] = {"network_report.html", "network_report.svg"};
+  static const char* const begins[] = {"<!DOCTYPE html>", "<svg"};
+  jalon_network* network = adjusted();
+  (void)state;
+  for (int i = 0; i < 2; ++i) {
+    static char text[1 << 20];
+    FILE* file;
+    assert_int_equal(jalon_report_write_network(network, NULL, paths[i], NULL), JALON_OK);
+    file = fopen(paths[i], "rb");
+    assert_non_null(file);
+    text[fread(text, 1, sizeof text - 1, file)] = 0;
+    fclose(file);
+    remove(paths[i]);
+    assert_non_null(strstr(text, begins[i]));
+    assert_non_null(strstr(text, "3 points"));
+  }
+  assert_int_equal(jalon_report_write_network(network, NULL, NULL, NULL),
+                   JALON_ERROR_INVALID_ARGUMENT);
+  jalon_network_release(network);
+}
+
 static void network__says_what_is_wrong_and_writes_nothing(void** state) {
   (void)state;
   jalon_network* network = NULL;
@@ -84,6 +107,7 @@ static void network__a_free_one_needs_no_points(void** state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(network__tells_points_observations_and_codes),
+      cmocka_unit_test(network__its_report_is_a_page_or_a_plan),
       cmocka_unit_test(network__says_what_is_wrong_and_writes_nothing),
       cmocka_unit_test(network__a_free_one_needs_no_points),
   };

@@ -132,6 +132,7 @@ import json, sys
 d = json.load(sys.stdin)
 assert d[\"summary\"][\"converged\"] == 1 and d[\"points\"][2][\"id\"] == \"C\" and abs(d[\"points\"][2][\"xyz\"][0] - 652017.6) < 0.1, d'"
 check "network writes its points as a table" bash -c "head -1 survey/points.csv | grep -q '^id,xyz_0,' && grep -q '^C,65201' survey/points.csv && grep -q '^C;65201.*;350$' survey/codes.txt && grep -q '^distance,5,B,A,' survey/observations.csv"
+check "network draws its plan with ellipses and lists the reliability" bash -c "grep -q '95 % ellipse' survey/plan.svg && grep -q 'Reliability (Baarda)' survey/report.html"
 refuses "a survey with a wrong line" 3 'observations, line 2' bash -c "printf 'from to distance\\nA B far\\n' >wrong.txt; exec '$jalon' network wrong.txt -o no"
 refuses "a survey that nothing holds" 5 'nothing holds' "$jalon" network sights.txt -o no
 check "segment compares all methods with the true faces" bash -c "'$jalon' segment sample.las -o methods --compare-methods --reference-labels face --json --quiet | python3 -c '
