@@ -13,7 +13,6 @@ namespace {
 constexpr double kHoleContentParallel = 0.985;  // 10 degrees, as walls of one facade
 constexpr double kHoleContentUpright = 0.174;   // 10 degrees from upright to the wall
 constexpr uint32_t kBlock = 4;                  // cells a side
-constexpr double kLowQuantile = 0.02;
 
 double quantile(std::vector<float>& values, double share) {
   const auto at =
@@ -26,11 +25,10 @@ HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map, Task
   HoleFiller out;
   out.label = points.front().label;
   out.points = points.size();
-  std::vector<float> depths, heights;
+  std::vector<float> depths;
   std::vector<uint32_t> cells;
   for (const HolePoint& p : points) {
     depths.push_back(-p.w);
-    heights.push_back(p.v);
     const auto column = static_cast<uint32_t>((p.u - map.origin.u) / map.cell_m);
     const auto row = static_cast<uint32_t>((p.v - map.origin.v) / map.cell_m);
     cells.push_back(row * map.columns + column);
@@ -43,7 +41,6 @@ HoleFiller filler_of(std::span<const HolePoint> points, const WallMap& map, Task
   }
   out.cells = static_cast<uint32_t>(cells.size());
   out.depth_m = quantile(depths, 0.5);
-  out.low_v = quantile(heights, kLowQuantile);
   return out;
 }
 

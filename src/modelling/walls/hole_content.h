@@ -15,7 +15,6 @@ struct HoleFiller {
   uint32_t cells = 0;  ///< cells of the wall's map with such points
   size_t points = 0;
   double depth_m = 0;            ///< median, behind the wall
-  double low_v = 0;              ///< 2 % quantile of the points' heights
   std::vector<uint32_t> blocks;  ///< blocks of 4 x 4 cells with such points, ascending
 };
 

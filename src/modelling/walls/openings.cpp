@@ -11,6 +11,7 @@
 #include "modelling/walls/border_evidence.h"
 #include "modelling/walls/evident_holes.h"
 #include "modelling/walls/joinery.h"
+#include "modelling/walls/leaf_foot.h"
 #include "modelling/walls/opening_content.h"
 
 namespace jalon {
@@ -116,16 +117,14 @@ void measure_depth(const HoleContent& content, const HoleFiller* joinery,
 
 // A leaf that goes on below the wall's border (a plinth stands before it, or the wall's foot was not seen) takes the
 // opening down to its own foot; the wall's corners stay.
-void lower_to_foot(const HoleFiller* joinery, VectorRing& outline) {
-  if (joinery == nullptr) return;
+void lower_to(double foot_v, VectorRing& outline) {
   const Vec2 left = outline.corners[0], right = outline.corners[1];
-  if (joinery->low_v > std::min(left.v, right.v) - kFootStep_m) return;
+  if (foot_v > std::min(left.v, right.v) - kFootStep_m) return;
   VectorEdge jamb;
   jamb.direction = EdgeDirection::kVertical;
   VectorEdge foot;
   foot.direction = EdgeDirection::kHorizontal;
-  outline.corners.insert(outline.corners.begin() + 1,
-                         {{left.u, joinery->low_v}, {right.u, joinery->low_v}});
+  outline.corners.insert(outline.corners.begin() + 1, {{left.u, foot_v}, {right.u, foot_v}});
   outline.edges.erase(outline.edges.begin());
   outline.edges.insert(outline.edges.begin(), {jamb, foot, jamb});
 }
@@ -165,7 +164,8 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     std::erase(opening.standing_labels, opening.joinery_label);
     measure_border(wall, seen, opening);
     const double foot = ring_box(wall.outlines[hole.piece]).low.v;
-    if (hole.is_notch) lower_to_foot(joinery, opening.outline);
+    if (hole.is_notch && joinery != nullptr)
+      lower_to(leaf_foot(seen, joinery->label, opening.outline), opening.outline);
     opening.content = opening_content(seen, wall.map, opening, survey.tolerance_m);
     const RingBox box = ring_box(opening.outline);
     const bool is_below = hole.is_notch && !hole.is_bay;  // nothing of the wall is
