@@ -207,6 +207,7 @@ OpeningCandidate looked_at(const WallCells& cells, const OpeningShape& shape) {
   });
   out.bordered = bordered_share(cells, shape, Sides::kAll);
   out.framed = framed_share(cells, shape);
+  out.jambs = framed_share(cells, shape, Sides::kSteep);
   out.relief = relief_share(cells, shape);
   out.shape = shape.placed(cells.cell_m, cells.origin);
   out.is_open_above = open_ends(cells, shape).head;

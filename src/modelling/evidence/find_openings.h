@@ -24,6 +24,7 @@ struct OpeningCandidate {
   StateCounts inside;
   double bordered = 0;  ///< share of its border along which the wall was measured
   double framed = 0;  ///< share of its border, less the wall's foot, beyond which the wall is broad
+  double jambs = 0;   ///< the same share of its steep sides alone
   double relief = 0;  ///< share of that along which relief covers the wall
   bool is_opening = false;     ///< else nothing tells an opening from what was not looked at
   bool is_open_above = false;  ///< no wall over its head

@@ -58,7 +58,9 @@ void walk(const OpeningShape& shape, Sides sides, F&& f) {
   for (size_t i = 0; i < ring.size(); ++i) {
     const Vec2 a = ring[i], d = ring[(i + 1) % ring.size()] - a;
     const double length = norm(d);
-    if (!(length > 0) || (sides == Sides::kSloping && (d.u == 0 || d.v == 0))) continue;
+    if (!(length > 0) || (sides == Sides::kSloping && (d.u == 0 || d.v == 0)) ||
+        (sides == Sides::kSteep && std::fabs(d.u) >= std::fabs(d.v)))
+      continue;
     const Vec2 outward{d.v / length, -d.u / length};
     const auto count = std::max<size_t>(1, static_cast<size_t>(length / kStepCells));
     for (size_t k = 0; k < count; ++k)
@@ -78,9 +80,9 @@ double bordered_share(const WallCells& cells, const OpeningShape& shape, Sides s
   return steps > 0 ? static_cast<double>(wall) / static_cast<double>(steps) : 1;
 }
 
-double framed_share(const WallCells& cells, const OpeningShape& shape) {
+double framed_share(const WallCells& cells, const OpeningShape& shape, Sides sides) {
   size_t steps = 0, framed = 0;
-  walk(shape, Sides::kAll, [&](const Vec2& p, const Vec2& outward) {
+  walk(shape, sides, [&](const Vec2& p, const Vec2& outward) {
     if (outward.v < 0 && beside(cells, p, outward) == Beside::kOutside) return;  // on the ground
     framed += is_framed(cells, p, outward);
     ++steps;

@@ -26,14 +26,15 @@ void for_cells(const WallCells& cells, const OpeningShape& shape, F&& f) {
 enum class Sides : uint8_t {
   kAll,
   kSloping,  ///< neither upright nor level
+  kSteep,    ///< nearer to upright than to level: jambs
 };
 
 /// Share of the length of these sides of a shape (in cells) with wall just outside them, less what lies on the wall's
 /// border; 1 without such sides.
 double bordered_share(const WallCells& cells, const OpeningShape& shape, Sides sides);
-/// Share of the length of all its sides, the wall's border included but for its foot, beyond which the wall is as broad
-/// as a pier: openings are framed, and where a wall ends nothing frames what lies beside it.
-double framed_share(const WallCells& cells, const OpeningShape& shape);
+/// Share of the length of these sides, the wall's border included but for its foot, beyond which the wall is as broad
+/// as a pier, 0 without such sides: openings are framed, and where a wall ends nothing frames what lies beside it.
+double framed_share(const WallCells& cells, const OpeningShape& shape, Sides sides = Sides::kAll);
 /// At which ends of a shape the wall ends, along most of them. At both: it parts two pieces of the wall, dormers or
 /// wings, and is no opening of either.
 struct OpenEnds {

@@ -82,6 +82,9 @@ std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, s
     std::erase_if(closed, [&](const OpeningCandidate& opening) {
       return opening.is_open_above || opening.shape.box().width() > setting.group.notch.max_width_m;
     });
+    std::erase_if(out, [&](const WallHole& hole) {
+      return hole.is_notch && !hole.is_bay && holds_several(hole, closed);
+    });
     add_bays(planes[wall], closed, out);
   }
   return out;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "geometry/polygon2.h"
+#include "modelling/evidence/joined_lights.h"
 #include "modelling/plane/ring_tools.h"
 
 namespace jalon {
@@ -14,6 +15,10 @@ namespace {
 
 // Of a hole's box and that of the shape it was drawn for, both within some spacings of the true opening.
 constexpr double kSameOpening = 0.5;
+// With the middle of each in the other: of a vent five spacings high the shape, a spacing inside it, is three high.
+constexpr double kSameSmallOpening = 0.3;
+constexpr double kMostOfNotch = 0.7;               // of its box: the notch is that opening's
+constexpr double kUpThePier[] = {0.5, 0.75, 0.9};  // of its height: its foot may be hidden
 // Openings cut out of the border are notches of any width, and a vent's height.
 constexpr NotchSetting kAnyNotch{0.1, 0.1, 1e6};
 constexpr double kHeldShare =
@@ -56,22 +61,44 @@ uint32_t nearest_piece(const VectorPlane& wall, const Vec2& p) {
 int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> candidates) {
   const RingBox box = ring_box(hole.outline);
   int32_t best = -1;
-  double most = kSameOpening;
+  double most = 0;
   for (size_t k = 0; k < candidates.size(); ++k) {
     if (!candidates[k].is_opening) continue;
-    const double same = overlap(candidates[k].shape.box(), box);
-    if (same < most) continue;
+    const RingBox own = candidates[k].shape.box();
+    const bool is_centred = box.holds(own.middle()) && own.holds(box.middle());
+    const double same = overlap(own, box);
+    if (same < (is_centred ? kSameSmallOpening : kSameOpening) || same <= most) continue;
     most = same;
     best = static_cast<int32_t>(k);
   }
   return best;
 }
 
+bool holds_several(const WallHole& hole, std::span<const OpeningCandidate> candidates) {
+  const RingBox box = ring_box(hole.outline);
+  std::vector<RingBox> held;
+  for (const OpeningCandidate& c : candidates)
+    if (c.is_opening && box.holds(c.shape.box().middle())) held.push_back(c.shape.box());
+  const bool is_one = std::any_of(held.begin(), held.end(), [&](const RingBox& own) {
+    return overlap(own, box) >= kMostOfNotch;
+  });
+  if (held.size() < 2 || is_one) return false;
+  const std::vector<Vec2> outline = flattened(hole.outline, box.width() / 100);
+  for (const RingBox& a : held)
+    for (const RingBox& b : held) {
+      if (b.low.u - a.high.u < kMullion_m) continue;
+      const double foot = std::max(a.low.v, b.low.v), head = std::min(a.high.v, b.high.v);
+      for (const double up : kUpThePier)
+        if (!contains(outline, {(a.high.u + b.low.u) / 2, foot + up * (head - foot)})) return true;
+    }
+  return false;
+}
+
 std::vector<WallHole> evident_holes(const VectorPlane& wall,
                                     std::span<const OpeningCandidate> candidates) {
   std::vector<WallHole> out = holes_of(wall, kAnyNotch);
   std::erase_if(out, [&](const WallHole& hole) {
-    return hole.is_notch && candidate_of(hole, candidates) < 0;
+    return hole.is_notch && (candidate_of(hole, candidates) < 0 || holds_several(hole, candidates));
   });
   add_bays(wall, candidates, out);
   return out;
@@ -94,6 +121,7 @@ void add_bays(const VectorPlane& wall, std::span<const OpeningCandidate> candida
     bay.outline = shape.ring();
     bay.piece = nearest_piece(wall, middle);
     bay.is_notch = bay.is_bay = true;
+    bay.is_evident = candidates[k].jambs >= kFramedShare;  // gaps between parapets have none
     holes.push_back(std::move(bay));
   }
 }

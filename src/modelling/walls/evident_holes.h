@@ -20,6 +20,10 @@ int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> can
 std::vector<WallHole> evident_holes(const VectorPlane& wall,
                                     std::span<const OpeningCandidate> candidates);
 
+/// Whether a hole holds several openings side by side, none of them most of it, and a pier comes down between them:
+/// where the foot of the pier was hidden the outline has one notch for them all, which stands for none.
+bool holds_several(const WallHole& hole, std::span<const OpeningCandidate> candidates);
+
 /// Bays for openings of a wall that none of its holes stands for, as evident_holes has them.
 void add_bays(const VectorPlane& wall, std::span<const OpeningCandidate> candidates,
               std::vector<WallHole>& holes);

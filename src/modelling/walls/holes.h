@@ -17,6 +17,7 @@ struct WallHole {
   bool is_notch = false;
   bool ends_at_sill = false;  ///< its first edge is the upper edge of a sill (sills.h)
   bool is_bay = false;        ///< a notch between two pieces (bays.h): no face has its outline
+  bool is_evident = false;    ///< a bay that the evidence tells for an opening (evident_holes.h)
 };
 
 struct NotchSetting {

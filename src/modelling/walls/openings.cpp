@@ -140,7 +140,7 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     task.checkpoint(0);
     WallHole hole = holes[h];
     const HoleSurvey& seen = survey.holes[h];
-    if (hole.is_bay && candidates.empty() &&
+    if (hole.is_bay && !hole.is_evident && candidates.empty() &&
         !fit_to_content(hole, seen, wall.map, survey.tolerance_m))
       continue;
     const HoleContent content =
@@ -149,6 +149,7 @@ std::vector<int32_t> judge_holes(const Segmentation& segmentation, std::span<con
     const HoleFiller* joinery = closing.filler;
     Verdict verdict = judge(hole, seen, content, joinery, survey.tolerance_m);
     if (!candidates.empty()) verdict = by_candidates(verdict, hole, candidates);
+    else if (hole.is_evident && !verdict.is_opening) verdict = {true, Evidence::kShape};
     if (!verdict.is_opening) {
       wall.shadows.push_back({hole.outline, hole.piece, hole.is_notch});
       continue;

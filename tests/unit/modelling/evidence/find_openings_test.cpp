@@ -200,3 +200,15 @@ TEST_CASE("find_openings__shapes_lie_over_each_other_by_no_more_than_a_fifth") {
       CHECK(width * height <= 0.2 * std::max(a.width() * a.height(), b.width() * b.height()));
     }
 }
+
+TEST_CASE("find_openings__the_gap_between_two_parapets_has_no_jambs_and_a_window_has") {
+  // Parapets of balconies, one over the other, and nothing beside them.
+  PaintedWall parapets;
+  parapets.with(0, 0, 4, 6, WallState::kOutside).with(7, 0, 5, 6, WallState::kOutside);
+  const OpeningList gaps = parapets.with(4, 1.2, 3, 1.6, WallState::kDeep).candidates();
+  REQUIRE(gaps.size() == 1);
+  CHECK(gaps[0].jambs < 0.1);
+  const OpeningList window = PaintedWall().with(4, 1.2, 3, 1.6, WallState::kDeep).candidates();
+  REQUIRE(window.size() == 1);
+  CHECK(window[0].jambs > 0.9);
+}

@@ -113,3 +113,14 @@ TEST_CASE("open_ends__tell_gaps_between_dormers_from_windows_and_doors") {
   CHECK((!window.head && window.foot));
   CHECK((!inside.head && !inside.foot));
 }
+
+TEST_CASE("framed_share__of_steep_sides_is_that_of_the_jambs_alone") {
+  WallCells cells = painted::cells_of(60, 60, WallState::kOutside);
+  painted::paint(cells, {0, 0, 60, 20}, WallState::kOn);
+  painted::paint(cells, {0, 40, 60, 60}, WallState::kOn);
+  const OpeningShape gap = painted::rectangle(20, 40, 20, 40);
+  CHECK(framed_share(cells, gap) == doctest::Approx(0.5));
+  CHECK(framed_share(cells, gap, Sides::kSteep) == 0);
+  painted::paint(cells, {0, 20, 20, 40}, WallState::kOn);
+  CHECK(framed_share(cells, gap, Sides::kSteep) == doctest::Approx(0.5));
+}

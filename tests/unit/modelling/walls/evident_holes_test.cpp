@@ -92,3 +92,34 @@ TEST_CASE("add_bays__openings_without_a_hole_become_bays_unless_a_hole_lies_over
   add_bays(wall, std::vector<OpeningCandidate>{candidate_at({1.02, -2}, {1.98, 1.18})}, holes);
   CHECK(holes.size() == 1);
 }
+
+TEST_CASE("evident_holes__one_notch_over_two_openings_becomes_a_bay_for_each") {
+  // A car hid the foot of the pier between two shop fronts.
+  VectorFace face;
+  face.outline = rings::ring_of({{0, 0},
+                                 {1, 0},
+                                 {1, 2.5},
+                                 {3, 2.5},
+                                 {3, 1.2},
+                                 {3.6, 1.2},
+                                 {3.6, 2.5},
+                                 {5, 2.5},
+                                 {5, 0},
+                                 {8, 0},
+                                 {8, 4},
+                                 {0, 4}});
+  const VectorPlane wall = rings::wall_of({face}, kDrawnSpacing_m);
+  std::vector<OpeningCandidate> fronts{candidate_at({1.02, 0}, {2.98, 2.48}),
+                                       candidate_at({3.62, 0}, {4.98, 2.48})};
+  for (OpeningCandidate& front : fronts) front.jambs = 1;
+  const auto holes = evident_holes(wall, fronts);
+  REQUIRE(holes.size() == 2);
+  for (size_t k = 0; k < 2; ++k) {
+    CHECK(holes[k].is_evident);
+    CHECK(overlap(ring_box(holes[k].outline), fronts[k].shape.box()) > 0.9);
+  }
+  WallHole both;
+  both.outline = rings::rectangle({1, 0}, {5, 2.5});
+  CHECK_FALSE(
+      holds_several(both, fronts));  // two leaves of one door: nothing of the wall parts them
+}
