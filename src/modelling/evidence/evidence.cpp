@@ -21,10 +21,12 @@ namespace jalon {
 
 namespace {
 
-std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates) {
+std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates,
+                                    bool with_narrow) {
   std::vector<OpeningShape> out;
   for (const OpeningCandidate& candidate : candidates)
-    if (candidate.is_opening) out.push_back(candidate.shape);
+    if (candidate.is_opening && (with_narrow || !candidate.is_narrow))
+      out.push_back(candidate.shape);
   return out;
 }
 
@@ -95,7 +97,8 @@ ContourMaker contours_by(std::vector<WallEvidence>& evidence) {
                      const ForeignTest& foreign, Task& task) {
     WallEvidence& wall = evidence[segment];
     Contour plain = extract_contour(points, setting, task, foreign);
-    wall.is_plain = wall.is_wall() && shows(plain, shapes_of(wall.openings));
+    wall.is_plain = wall.is_wall() && (shows(plain, shapes_of(wall.openings, true)) ||
+                                       shows(plain, shapes_of(wall.openings, false)));
     if (!wall.is_drawn()) return plain;
     return drawn_contour(points, wall.openings, plain, wall.cells, setting, foreign, task);
   };

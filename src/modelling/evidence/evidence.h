@@ -58,7 +58,8 @@ void tell_planes(const Segmentation& segmentation, const EvidenceSetting& settin
                  std::vector<WallEvidence>& out, Task& task);
 
 /// Draws the walls by their evidence and other planes as they are; a wall whose contour has the openings of its
-/// evidence, each and no other, as it is too, and sets is_plain. The evidence must outlive it.
+/// evidence, each and no other (but narrow ones, which it may have closed over), as it is too, and sets is_plain. The
+/// evidence must outlive it.
 ContourMaker contours_by(std::vector<WallEvidence>& evidence);
 
 }  // namespace jalon

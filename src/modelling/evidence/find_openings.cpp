@@ -21,6 +21,10 @@ constexpr int64_t kOnScore = -6000, kReliefScore = -2000, kStripScore = -400, kT
                   kProudScore = -400, kHiddenScore = 15, kEmptyScore = 100, kOutsideScore = -50,
                   kTakenScore = -300;
 constexpr double kLeastArea_m2 = 0.03, kLeastCells = 2.5;
+// Between cells with a point of the wall an opening of five spacings leaves two: a place of its own that was seen
+// through is one; what nothing was seen through may be a gap between random points, and what is left beside a larger
+// box is that one's border.
+constexpr double kNarrowCells = 2, kNarrowBoxCells = 6, kSeenOfNarrow = 0.5;
 constexpr size_t kMostBoxes = 2000;
 constexpr double kLeastSum = 6;     // of weights: three cells that were seen through, and no wall
 constexpr double kMostTaken = 0.2;  // of its cells by better ones
@@ -68,9 +72,10 @@ class BoxSearch {
  public:
   BoxSearch(const WallCells& cells, const OpeningSearch& setting)
       : cells_(cells), regions_(cells.columns, cells.rows), taken_(cells.states.size(), 0) {
-    least_cells_ =
-        std::max(kLeastArea_m2 / (cells.cell_m * cells.cell_m), kLeastCells * kLeastCells);
-    least_side_ = std::max(kLeastCells, setting.least_width_m / cells.cell_m);
+    const double least = kLeastArea_m2 / (cells.cell_m * cells.cell_m),
+                 width = setting.least_width_m / cells.cell_m;
+    broad_ = {std::max(least, kLeastCells * kLeastCells), std::max(kLeastCells, width)};
+    narrow_ = {std::max(least, kNarrowBoxCells), std::max(kNarrowCells, width)};
   }
 
   std::vector<CellBox> run(Task& task) {
@@ -80,13 +85,18 @@ class BoxSearch {
         open.push_back(static_cast<uint32_t>(k));
     std::vector<CellBox> out;
     std::vector<std::vector<uint32_t>> waiting = regions_.of(open);
+    // The first ones are places of their own; what is put behind them are rests.
+    size_t whole = waiting.size();
     while (!waiting.empty() && out.size() < kMostBoxes) {
       task.checkpoint(0);
+      const bool is_rest = waiting.size() > whole;
       std::vector<uint32_t> region = std::move(waiting.back());
       waiting.pop_back();
-      if (static_cast<double>(region.size()) < least_cells_) continue;
+      whole = std::min(whole, waiting.size());
+      if (static_cast<double>(region.size()) < narrow_.cells) continue;
       const CellBox box = best_in(region);
-      if (!is_large(box)) continue;
+      if (!broad_.holds(box) && (is_rest || !narrow_.holds(box) || seen_share(box) < kSeenOfNarrow))
+        continue;
       out.push_back(box);
       for (uint32_t r = box.r0; r < box.r1; ++r)
         for (uint32_t c = box.c0; c < box.c1; ++c) taken_[size_t{r} * cells_.columns + c] = 1;
@@ -97,9 +107,20 @@ class BoxSearch {
   }
 
  private:
-  bool is_large(const CellBox& box) const {
-    return box.width() >= least_side_ && box.height() >= least_side_ &&
-           static_cast<double>(box.width()) * box.height() >= least_cells_;
+  // What a box has at least.
+  struct LeastBox {
+    double cells = 0, side = 0;
+    bool holds(const CellBox& box) const {
+      return box.width() >= side && box.height() >= side &&
+             static_cast<double>(box.width()) * box.height() >= cells;
+    }
+  };
+
+  double seen_share(const CellBox& box) const {
+    size_t seen = 0;
+    for (uint32_t r = box.r0; r < box.r1; ++r)
+      for (uint32_t c = box.c0; c < box.c1; ++c) seen += cells_.at(c, r) == WallState::kThrough;
+    return static_cast<double>(seen) / (static_cast<double>(box.width()) * box.height());
   }
 
   // The best box in the region's own box.
@@ -110,7 +131,7 @@ class BoxSearch {
       about = {std::min(about.c0, c), std::min(about.r0, r), std::max(about.c1, c + 1),
                std::max(about.r1, r + 1)};
     }
-    if (about.width() < least_side_ || about.height() < least_side_) return {};
+    if (about.width() < narrow_.side || about.height() < narrow_.side) return {};
     const CellSums<int64_t> sums(about.width(), about.height(), [&](size_t i) {
       const size_t k =
           (about.r0 + i / about.width()) * cells_.columns + about.c0 + i % about.width();
@@ -124,7 +145,7 @@ class BoxSearch {
   const WallCells& cells_;
   CellRegions regions_;
   std::vector<uint8_t> taken_;
-  double least_cells_ = 0, least_side_ = 0;
+  LeastBox broad_, narrow_;
 };
 
 // Step 3: whether a shape explains cells of its own, and hardly any of a better one.
@@ -209,6 +230,8 @@ OpeningCandidate looked_at(const WallCells& cells, const OpeningShape& shape) {
   out.framed = framed_share(cells, shape);
   out.jambs = framed_share(cells, shape, Sides::kSteep);
   out.relief = relief_share(cells, shape);
+  const RingBox box = shape.box();
+  out.is_narrow = std::min(box.width(), box.height()) < kLeastCells;
   out.shape = shape.placed(cells.cell_m, cells.origin);
   out.is_open_above = open_ends(cells, shape).head;
   return out;

@@ -27,6 +27,7 @@ struct OpeningCandidate {
   double jambs = 0;   ///< the same share of its steep sides alone
   double relief = 0;  ///< share of that along which relief covers the wall
   bool is_opening = false;     ///< else nothing tells an opening from what was not looked at
+  bool is_narrow = false;      ///< two cells across: what a contour closes over
   bool is_open_above = false;  ///< no wall over its head
   bool ends_at_wall = false;   ///< it would be one, but another wall begins there (plane_roles.h)
   bool is_settled =

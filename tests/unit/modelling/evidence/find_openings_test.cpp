@@ -201,6 +201,21 @@ TEST_CASE("find_openings__shapes_lie_over_each_other_by_no_more_than_a_fifth") {
     }
 }
 
+TEST_CASE("find_openings__two_cells_high_it_is_one_where_seen_through_and_none_where_empty") {
+  Task task;
+  const auto vents = [&](WallState state) {
+    WallCells cells = painted::cells_of(120, 60, WallState::kOn, 0.1);
+    painted::paint(cells, {40, 30, 46, 32}, state);
+    return find_openings(cells, {}, task);
+  };
+  const OpeningList seen = vents(WallState::kThrough);
+  REQUIRE(seen.size() == 1);
+  CHECK(seen[0].is_opening);
+  CHECK(seen[0].is_narrow);
+  CHECK(overlap(seen[0].shape.box(), {{4, 3}, {4.6, 3.2}}) > 0.9);
+  CHECK(vents(WallState::kEmpty).empty());
+}
+
 TEST_CASE("find_openings__the_gap_between_two_parapets_has_no_jambs_and_a_window_has") {
   // Parapets of balconies, one over the other, and nothing beside them.
   PaintedWall parapets;
