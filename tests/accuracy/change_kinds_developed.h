@@ -4,7 +4,7 @@
 
 // The kinds of scenes that the constants of the diagnosis were set on; the reported ones are others.
 
-#include "change_kinds.h"
+#include "change_kinds_unlike.h"
 
 namespace jalon::test {
 
@@ -180,7 +180,106 @@ inline EpochScenes stacks(uint64_t seed) {
   return out;
 }
 
-inline constexpr std::array<SceneKind, 8> kDevelopedChanges{{
+/// A plank on two boards.
+inline void bench(TriangleScene& scene, const Vec3& size, const Transform& place, uint32_t object) {
+  constexpr double kPlank_m = 0.05, kBoard_m = 0.04;
+  scene.box({size.x, size.y, kPlank_m}, place * placed(0, 0, 0, size.z - kPlank_m), object);
+  for (const double x : {-0.4, 0.4})
+    scene.box({kBoard_m, 0.9 * size.y, size.z - kPlank_m}, place * placed(x * size.x, 0, 0),
+              object);
+}
+
+/// Two sides and the boards between them, open in front and behind.
+inline void shelf(TriangleScene& scene, const Vec3& size, const Transform& place, uint32_t object) {
+  constexpr double kBoard_m = 0.03;
+  constexpr int kBoards = 4;
+  for (const double x : {-0.5, 0.5})
+    scene.box({kBoard_m, size.y, size.z}, place * placed(x * size.x, 0, 0), object);
+  for (int k = 0; k < kBoards; ++k)
+    scene.box({size.x - kBoard_m, size.y, kBoard_m},
+              place * placed(0, 0, 0, (size.z - kBoard_m) * (k + 0.5) / (kBoards - 0.5)), object);
+}
+
+/// What one sees through and under: a part of it is hidden from everywhere, and another part after it was pushed.
+inline EpochScenes benches_and_shelves(uint64_t seed) {
+  SceneDice dice(seed, 9);
+  EpochScenes out;
+  yard(out, dice, seed);
+  const std::vector<Vec3> at = dice.places();
+  for (uint32_t k = 0; k < 4; ++k) {
+    const bool is_bench = k % 2 == 0;
+    const Vec3 size = is_bench ? dice.size({0.9, 0.3, 0.4}, {1.3, 0.5, 0.55})
+                               : dice.size({0.6, 0.3, 0.8}, {0.9, 0.45, 1.3});
+    const Transform place = placed(at[k].x, at[k].y, dice.turn_deg());
+    const double along = dice.sign() * dice.between(0.1, 0.5), across = dice.between(-0.25, 0.25),
+                 turn = dice.between(-45, 45);
+    const uint32_t object = kFirstThing + k;
+    const auto add = [&](TriangleScene& s, const Transform& to) {
+      is_bench ? bench(s, size, to, object) : shelf(s, size, to, object);
+    };
+    add(out.before, place);
+    add(out.after, k < 3 ? place * placed(along, across, turn) : place);
+    if (k < 3) out.change(object, Happened::kMoved, std::abs(along));
+  }
+  return out;
+}
+
+/// Beside where one thing stood another one stands now, and one of another kind was carried off as it is.
+inline EpochScenes exchanged(uint64_t seed) {
+  SceneDice dice(seed, 10);
+  EpochScenes out;
+  yard(out, dice, seed);
+  for (uint32_t k = 0; k < 3; ++k) {
+    const Vec3 went = dice.size({0.4, 0.4, 0.4}, {0.8, 0.6, 0.9});
+    const Vec3 came = dice.size({0.4, 0.3, 0.3}, {0.9, 0.7, 1});
+    const double x = dice.between(-2.1, -1.7), y = 1.5 * k - 1.7 + dice.between(-0.1, 0.1);
+    const double to_x = x + (went.x + came.x) / 2 + dice.between(0.2, 0.6);
+    const double turn = dice.between(-15, 15), to_turn = dice.between(-15, 15);
+    const uint32_t object = kFirstThing + 2 * k;
+    out.before.box(went, placed(x, y, turn), object);
+    if (k == 1) bench(out.after, came, placed(to_x, y, to_turn), object + 1);
+    else out.after.box(came, placed(to_x, y, to_turn), object + 1);
+    out.change(object, Happened::kWent, went.z);
+    out.change(object + 1, Happened::kCame, came.z);
+  }
+  const Vec3 size = dice.size({0.4, 0.4, 0.4}, {0.9, 0.5, 0.9});
+  const double x = dice.between(1, 1.6), y = dice.between(-1.6, -0.8), way = dice.between(0.6, 1);
+  const double turn = dice.turn_deg(), to_turn = turn + dice.between(-60, 60);
+  constexpr uint32_t kCarried = kFirstThing + 6;
+  out.before.box(size, placed(x, y, turn), kCarried);
+  out.after.box(size, placed(x, y + way, to_turn), kCarried);
+  out.change(kCarried, Happened::kMoved, way);
+  return out;
+}
+
+/// Of a fence of three boards that join, one leans over about its foot and another one bulges; a third stays.
+inline EpochScenes fences(uint64_t seed) {
+  SceneDice dice(seed, 11);
+  EpochScenes out;
+  set_up(out, dice);
+  const double y = dice.between(0.2, 1.6), high = dice.between(1.2, 1.8);
+  const double lean = dice.sign() * dice.between(0.04, 0.1), bulge = dice.between(0.06, 0.15);
+  const auto leaning = static_cast<uint32_t>(dice.below(3));
+  const uint32_t bulging = (leaning + 1 + static_cast<uint32_t>(dice.below(2))) % 3;
+  for (const bool is_after : {false, true}) {
+    TriangleScene& s = is_after ? out.after : out.before;
+    s.ground(kYardHalf_m, kFloor);
+    for (uint32_t k = 0; k < 3; ++k)
+      s.surface(12, 12, kFirstThing + k, [&](double u, double t) {
+        const double a = std::sin(std::numbers::pi * u), b = std::sin(std::numbers::pi * t);
+        double off = 0;
+        if (is_after && k == leaning) off = lean * high * t;
+        if (is_after && k == bulging) off = bulge * a * a * b * b;
+        return Vec3{2.0 * k - 3 + 2 * u, y - off, high * t};
+      });
+  }
+  clutter(out, dice, seed);
+  out.change(kFirstThing + leaning, Happened::kGaveWay, std::abs(lean) * high);
+  out.change(kFirstThing + bulging, Happened::kGaveWay, bulge);
+  return out;
+}
+
+inline constexpr std::array<SceneKind, 16> kDevelopedChanges{{
     {"boxes come and go", boxes_come_and_go},
     {"boxes pushed", boxes_pushed},
     {"dented tank", dented_tank},
@@ -189,6 +288,14 @@ inline constexpr std::array<SceneKind, 8> kDevelopedChanges{{
     {"unchanged yard", unchanged_yard},
     {"screens", screens},
     {"stacks", stacks},
+    {"benches and shelves", benches_and_shelves},
+    {"exchanged", exchanged},
+    {"fences", fences},
+    {"unlike neighbours", unlike_neighbours},
+    {"other sizes", other_sizes},
+    {"walls give way", walls_give_way},
+    {"growth", growth},
+    {"toppled", toppled},
 }};
 
 }  // namespace jalon::test

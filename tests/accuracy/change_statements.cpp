@@ -61,6 +61,10 @@ size_t count_of(const std::vector<uint32_t>& objects, uint32_t object) {
   return static_cast<size_t>(std::count(objects.begin(), objects.end(), object));
 }
 
+struct BothWays {
+  Comparison forward, reverse;
+};
+
 Comparison detected(const CloudPtr& reference, const CloudPtr& compared, bool has_stations) {
   Task task;
   DistanceSettings settings;
@@ -70,16 +74,34 @@ Comparison detected(const CloudPtr& reference, const CloudPtr& compared, bool ha
   return compare_distance(reference, compared, settings, task);
 }
 
-// The thing that most of the changed points lie on.
-uint32_t object_of(const Change& change, const Diagnosis& found, const KnownEpochs& epochs) {
-  std::map<uint32_t, size_t> count;
-  for (const uint32_t i : change.object.before)
-    count[epochs.objects_before[i]] += found.before.regions.labels[i] != 0 ? 1 : 0;
-  for (const uint32_t i : change.object.after)
-    count[epochs.objects_after[i]] += found.after.regions.labels[i] != 0 ? 1 : 0;
+using Counts = std::map<uint32_t, size_t>;
+
+void count_changed(const Epoch& epoch, const std::vector<uint32_t>& points,
+                   const std::vector<uint32_t>& objects, Counts& out) {
+  for (const uint32_t i : points) out[objects[i]] += epoch.regions.labels[i] != 0 ? 1 : 0;
+}
+
+uint32_t most_of(const Counts& count) {
   return std::max_element(count.begin(), count.end(),
                           [](const auto& a, const auto& b) { return a.second < b.second; })
       ->first;
+}
+
+// The thing that most of the changed points lie on.
+uint32_t object_of(const Change& change, const Diagnosis& found, const KnownEpochs& epochs) {
+  Counts count;
+  count_changed(found.before, change.object.before, epochs.objects_before, count);
+  count_changed(found.after, change.object.after, epochs.objects_after, count);
+  return most_of(count);
+}
+
+// Of a motion: was it this thing before, and is it after? By all points, for of what was pushed some changed on one
+// side.
+bool is_one_thing(const Change& change, uint32_t object, const KnownEpochs& epochs) {
+  Counts before, after;
+  for (const uint32_t i : change.object.before) ++before[epochs.objects_before[i]];
+  for (const uint32_t i : change.object.after) ++after[epochs.objects_after[i]];
+  return !before.empty() && !after.empty() && most_of(before) == object && most_of(after) == object;
 }
 
 const char* name_of(Happened what) {
@@ -107,6 +129,8 @@ Statement statement_of(const Change& change, const Diagnosis& found, const Known
   const TrueChange* truth = change_of(out.object, epochs);
   out.is_changed = truth != nullptr;
   out.is_right = out.is_changed && truth->what == happened(out.change_class);
+  out.is_one_thing = out.is_right && (happened(out.change_class) != Happened::kMoved ||
+                                      is_one_thing(change, out.object, epochs));
   return out;
 }
 
@@ -186,17 +210,16 @@ KnownEpochs known_street(uint64_t seed, bool is_unchanged) {
   return out;
 }
 
-ScoredRun scored_run(const KnownEpochs& epochs, double threshold_m, bool has_stations) {
+namespace {
+
+ScoredRun scored_run(const KnownEpochs& epochs, const BothWays& detected, double threshold_m) {
   Task task;
   RegionSettings settings;
   settings.criterion = RegionSettings::Criterion::kThreshold;
   settings.threshold_m = threshold_m;
-  const Comparison forward = detected(epochs.before, epochs.after, has_stations),
-                   reverse = detected(epochs.after, epochs.before, has_stations);
-  const Diagnosis found = diagnose(forward, reverse, settings, task);
+  const Diagnosis found = diagnose(detected.forward, detected.reverse, settings, task);
   ScoredRun out;
   out.threshold_m = threshold_m;
-  out.has_stations = has_stations;
   out.changes_of_kind = epochs.changes.size();
   std::map<uint32_t, std::vector<Statement>> about;
   for (const Change& change : found.changes) {
@@ -208,6 +231,8 @@ ScoredRun scored_run(const KnownEpochs& epochs, double threshold_m, bool has_sta
   }
   for (const Change& change : found.untold)
     out.untold.push_back(statement_of(change, found, epochs));
+  for (const Change& change : found.weighed)
+    out.weighed.push_back(statement_of(change, found, epochs));
   for (size_t k = 0; k < epochs.changes.size(); ++k) {
     const TrueChange& c = epochs.changes[k];
     if (epochs.can_be_told[k] == 0 || c.size_m < kClearly * threshold_m) continue;
@@ -221,15 +246,21 @@ ScoredRun scored_run(const KnownEpochs& epochs, double threshold_m, bool has_sta
   return out;
 }
 
+}  // namespace
+
 std::vector<ScoredRun> scored_runs(const std::string& kind, const KnownEpochs& epochs,
                                    uint64_t seed) {
   std::vector<ScoredRun> out;
-  for (const bool has_stations : {true, false})
+  for (const bool has_stations : {true, false}) {
+    const BothWays both{detected(epochs.before, epochs.after, has_stations),
+                        detected(epochs.after, epochs.before, has_stations)};
     for (const double threshold_m : {0.02, 0.05}) {
-      out.push_back(scored_run(epochs, threshold_m, has_stations));
+      out.push_back(scored_run(epochs, both, threshold_m));
       out.back().kind = kind;
       out.back().seed = seed;
+      out.back().has_stations = has_stations;
     }
+  }
   return out;
 }
 

@@ -25,8 +25,9 @@ struct Statement {
   uint32_t object = 0;
   ChangeClass change_class = ChangeClass::kAppearance;
   double confidence = 0;
-  bool is_changed = false;  ///< the thing did change
-  bool is_right = false;    ///< and in this way
+  bool is_changed = false;    ///< the thing did change
+  bool is_right = false;      ///< and in this way
+  bool is_one_thing = false;  ///< right, and where it moved, it is the same thing on both sides
   ChangeFeatures features{};
 };
 
@@ -39,7 +40,7 @@ struct ScoredRun {
   size_t planted = 0;          ///< that can be told and exceed twice the threshold
   size_t found = 0;            ///< of those, with the right class
   size_t changes_of_kind = 0;  ///< whether told or not; 0: an unchanged scene
-  std::vector<Statement> statements, untold;
+  std::vector<Statement> statements, untold, weighed;
   std::map<std::string, size_t> confusion;  ///< "truth > said"
 };
 
@@ -47,7 +48,6 @@ KnownEpochs known_epochs(const EpochScenes& scenes, uint64_t seed);
 /// The scene "street" in two epochs, or the first one twice, as files without stations hold them.
 KnownEpochs known_street(uint64_t seed, bool is_unchanged);
 
-ScoredRun scored_run(const KnownEpochs& epochs, double threshold_m, bool has_stations);
 /// {2, 5 cm} x {stations known, unknown}.
 std::vector<ScoredRun> scored_runs(const std::string& kind, const KnownEpochs& epochs,
                                    uint64_t seed);

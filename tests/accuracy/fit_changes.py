@@ -6,10 +6,12 @@ r"""Fits the weights of src/compare/changes/confidence_weights.h and prints that
         build/release/tests/accuracy/accuracy -tc='change_confidence__of_developed_kinds'
     python3 tests/accuracy/fit_changes.py rows.txt > src/compare/changes/confidence_weights.h
 
-A row, of one statement: the seed, what it says (0 came, 1 went, 2 moved, 3 gave way), whether it is right, the features.
+A row, of one statement: the seed, what it says (0 came, 1 went, 2 moved, 3 gave way), whether it is right, the features,
+and behind # the kind of scene, threshold, stations, confidence, whether it is about what changed, and right by class.
 Logistic regression for each of three families (came and went are one) with a Gaussian prior (Bishop 2006, 4.3.4 and
-5.5) on the weights of standardised features; its width is that of the least loss over five parts of the seeds, each told
-by what was fitted to the other four.
+5.5) on the weights of standardised features; its width is that of the least loss over the kinds of scenes, each told by
+what was fitted to the others: the weights are for kinds that they have not seen. What is told of such a kind is too sure
+of itself: the scores are scaled and shifted by what fits those told (Platt 1999).
 """
 
 import sys
@@ -17,8 +19,7 @@ import sys
 import numpy as np
 
 FAMILIES = [("came or went", (0, 1)), ("moved", (2,)), ("gave way", (3,))]
-PRIORS = [0.0003, 0.001, 0.003, 0.01, 0.03]  # of the squared weights, a row
-PARTS = 5
+PRIORS = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3]  # of the squared weights, a row
 STEPS = 60
 
 
@@ -44,42 +45,60 @@ def fitted(x, y, prior):
     return w
 
 
+def weights_of(x, y, prior):
+    """Of the features as they are; the prior is on those standardised over these statements."""
+    mean, width = x.mean(axis=0), x.std(axis=0)
+    mean[0], width[0] = 0, 1
+    width[width < 1e-6] = 1e9
+    w = fitted((x - mean) / width, y, prior) / width
+    w[0] -= (w[1:] * mean[1:]).sum()
+    return w
+
+
 def calibration(p, y):
     order = np.argsort(p, kind="stable")
     return sum(abs(p[b].sum() - y[b].sum()) for b in np.array_split(order, 10)) / len(p)
 
 
+def scores(p):
+    p = np.clip(p, 1e-6, 1 - 1e-6)
+    return np.log(p / (1 - p))
+
+
+def scaled(p, y):
+    """A scale and a shift of the scores of what was told of kinds that were left out."""
+    x = np.column_stack([np.ones(len(p)), scores(p)])
+    shift, scale = fitted(x, y, 0)
+    return shift, scale
+
+
 def main():
-    rows = [line.split("#")[0].split() for path in sys.argv[1:] for line in open(path, encoding="utf-8")]
-    table = np.array(rows, dtype=float)
-    seed, said, right, features = table[:, 0].astype(int), table[:, 1], table[:, 2], table[:, 3:]
-    part = seed % PARTS
+    lines = [line.split("#") for path in sys.argv[1:] for line in open(path, encoding="utf-8")]
+    table = np.array([line[0].split() for line in lines], dtype=float)
+    said, right, features = table[:, 1], table[:, 2], table[:, 3:]
+    kind = np.array([" ".join(line[1].split()[:-5]) for line in lines])
     all_told, all_right, weights = [], [], []
     for name, classes in FAMILIES:
         of = np.isin(said, classes)
-        x, y, fold = features[of], right[of], part[of]
-        mean, width = x.mean(axis=0), x.std(axis=0)
-        mean[0], width[0] = 0, 1
-        width[width < 1e-6] = 1e9
-        z = (x - mean) / width
+        x, y, fold = features[of], right[of], kind[of]
         best = None
         for prior in PRIORS:
-            told = np.zeros(len(z))
-            for k in range(PARTS):
-                if (fold == k).any():
-                    told[fold == k] = probabilities(fitted(z[fold != k], y[fold != k], prior), z[fold == k])
+            told = np.zeros(len(y))
+            for k in np.unique(fold):
+                told[fold == k] = probabilities(weights_of(x[fold != k], y[fold != k], prior), x[fold == k])
             loss = loss_of(told, y)
             if best is None or loss < best[0]:
                 best = (loss, prior, told)
         base = loss_of(np.full(len(y), y.mean()), y)
         print(f"{name}: {len(y)} statements, {y.mean():.3f} right, prior {best[1]}, loss {best[0]:.4f} (of the share alone"
               f" {base:.4f})", file=sys.stderr)
-        w = fitted(z, y, best[1])
-        print("   standardised " + " ".join(f"{v:.2f}" for v in w), file=sys.stderr)
-        w = w / width
-        w[0] -= (w[1:] * mean[1:]).sum()
+        shift, scale = scaled(best[2], y)
+        print(f"   scores scaled by {scale:.3f}, shifted by {shift:.3f}", file=sys.stderr)
+        w = scale * weights_of(x, y, best[1])
+        w[0] += shift
+        print("   standardised " + " ".join(f"{v:.2f}" for v in w * x.std(axis=0)), file=sys.stderr)
         weights.append((name, w))
-        all_told.append(best[2])
+        all_told.append(probabilities(np.array([shift, scale]), np.column_stack([np.ones(len(y)), scores(best[2])])))
         all_right.append(y)
     told, y = np.concatenate(all_told), np.concatenate(all_right)
     for limit in (0, 0.3, 0.5, 0.9):

@@ -7,6 +7,7 @@
 
 #include "base/parallel.h"
 #include "compare/changes/change_pieces.h"
+#include "compare/changes/motion_features.h"
 #include "compare/changes/object_motion.h"
 #include "compare/detection/detection.h"
 
@@ -14,22 +15,17 @@ namespace jalon {
 
 namespace {
 
+constexpr size_t kFamilyMoved = 1;  // see family_of
+constexpr double kLowShare = 0.1;   // of the distances: the lower decile
 constexpr size_t kBesideSample =
     200;  // points of a change that are asked for what lies beside them
 constexpr uint32_t kBesideNeighbours = 24;
 constexpr double kLikeReach = 3;  // sizes of the larger of two things that may be one
 constexpr double kRightBeside = 0.25;
-// Logarithms and ratios end here: beyond e^5 more of it tells nothing more.
-constexpr double kMostLog = 5;
-
-double limited_log(double value) {
-  return value > 0 ? std::clamp(std::log(value), -kMostLog, kMostLog) : -kMostLog;
-}
-
 /// Sums over the changed points of a statement, in both epochs.
 struct ChangedSums {
   std::vector<double> distances;
-  size_t points = 0, through = 0;
+  size_t points = 0, through = 0, moved = 0;
   Box3 box;
   Moments moments;
 };
@@ -44,6 +40,7 @@ void add_side(const Epoch& epoch, const std::vector<uint32_t>& points, ChangedSu
     sums.moments.add(p);
     sums.box.add(p);
     sums.through += evidence[i] == static_cast<uint8_t>(ChangeEvidence::kSeenThrough) ? 1 : 0;
+    sums.moved += evidence[i] == static_cast<uint8_t>(ChangeEvidence::kMovedSurface) ? 1 : 0;
     if (std::isfinite(distance[i])) sums.distances.push_back(std::abs(distance[i]));
   }
 }
@@ -72,11 +69,12 @@ void add_beside(const Epoch& epoch, const std::vector<uint32_t>& points, Task& t
   }
 }
 
-double median(std::vector<double>& values) {
+double quantile(std::vector<double>& values, double order) {
   if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(order * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 double share(size_t part, size_t whole) {
@@ -88,8 +86,30 @@ double number_of(const Comparison& comparison, const char* name) {
   return column != nullptr && column->count() > 0 ? column->number(0) : 0;
 }
 
-// What a change is by itself; its box for what it is among others.
-Box3 set_own(const ObjectMotionJob& job, Change& change) {
+// The changed points' box.
+Box3 changed_box(const ObjectMotionJob& job, const ChangedObject& object) {
+  Box3 out;
+  for (const uint32_t i : object.before)
+    if (job.before.regions.labels[i] != 0) out.add(job.before.local(i));
+  for (const uint32_t i : object.after)
+    if (job.after.regions.labels[i] != 0) out.add(job.after.local(i));
+  return out;
+}
+
+// Does it hold most of the change's labels?
+bool may_explain(const Change& motion, const Change& change) {
+  const auto common = [](const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
+    return static_cast<size_t>(std::count_if(
+        a.begin(), a.end(), [&](uint32_t i) { return std::binary_search(b.begin(), b.end(), i); }));
+  };
+  const ChangedObject &part = change.object, &whole = motion.object;
+  return 2 * (common(part.before, whole.before) + common(part.after, whole.after)) >
+         part.before.size() + part.after.size();
+}
+
+}  // namespace
+
+void set_own_features(const ObjectMotionJob& job, Change& change) {
   ChangedSums sums;
   add_side(job.before, change.object.before, sums);
   add_side(job.after, change.object.after, sums);
@@ -104,14 +124,20 @@ Box3 set_own(const ObjectMotionJob& job, Change& change) {
                                  number_of(*job.after.comparison, "noise"), 1e-9});
   const double spacing = std::max({asks_before ? job.after.regions.spacing_m : 0,
                                    asks_after ? job.before.regions.spacing_m : 0, 1e-9});
-  const double distance = median(sums.distances), through = share(sums.through, sums.points);
+  const double distance = quantile(sums.distances, 0.5), low = quantile(sums.distances, kLowShare);
+  const double through = share(sums.through, sums.points);
   const Eigen3 axes = symmetric_eigen(sums.moments.covariance());
   const double before_m2 = changed_area(job.before, change.object.regions_before),
                after_m2 = changed_area(job.after, change.object.regions_after);
   ChangeFeatures& f = change.features;
   f[kFeatureOne] = 1;
-  f[kFeaturePoints] = limited_log(static_cast<double>(sums.points) / 64);
   f[kFeatureNoStations] = is_blind ? 1 : 0;
+  f[kFeatureBothSides] = std::max(before_m2, after_m2) > 0
+                             ? std::min(before_m2, after_m2) / std::max(before_m2, after_m2)
+                             : 0;
+  f[kFeatureMovedSurface] = share(sums.moved, sums.points);
+  if (family_of(change) == kFamilyMoved) return set_motion_features(job, change, f);
+  f[kFeaturePoints] = limited_log(static_cast<double>(sums.points) / 64);
   f[kFeatureThrough] = is_blind ? 0 : through;
   f[kFeatureNothingNear] = is_blind ? through : 0;
   f[kFeatureThresholds] = limited_log(distance / job.threshold_m);
@@ -123,16 +149,15 @@ Box3 set_own(const ObjectMotionJob& job, Change& change) {
       axes.values[2] > 0 ? std::sqrt(std::max(0.0, axes.values[1] / axes.values[2])) : 0;
   f[kFeatureBesideHidden] = share(beside.hidden, beside.asked);
   f[kFeatureBesideSame] = share(beside.same, beside.asked);
-  f[kFeatureBothSides] = std::max(before_m2, after_m2) > 0
-                             ? std::min(before_m2, after_m2) / std::max(before_m2, after_m2)
-                             : 0;
-  f[kFeatureExplained] = change.explained;
-  return sums.box;
+  f[kFeatureSpread] = distance > 0 ? limited_log(low / distance) : 0;
 }
 
-bool are_opposite(ChangeClass a, ChangeClass b) {
-  return (a == ChangeClass::kAppearance && b == ChangeClass::kDisappearance) ||
-         (a == ChangeClass::kDisappearance && b == ChangeClass::kAppearance);
+namespace {
+
+// By area and not by class: what is told to have given way may have come.
+bool has_come(const ObjectMotionJob& job, const Change& change) {
+  return changed_area(job.after, change.object.regions_after) >
+         changed_area(job.before, change.object.regions_before);
 }
 
 double area_of(const ObjectMotionJob& job, const Change& change) {
@@ -142,6 +167,11 @@ double area_of(const ObjectMotionJob& job, const Change& change) {
 
 }  // namespace
 
+double limited_log(double value) {
+  constexpr double kMost = 5;
+  return value > 0 ? std::clamp(std::log(value), -kMost, kMost) : -kMost;
+}
+
 size_t family_of(const Change& change) {
   switch (change.change_class) {
     case ChangeClass::kAppearance:
@@ -149,18 +179,28 @@ size_t family_of(const Change& change) {
       return 0;
     case ChangeClass::kDisplacement:
     case ChangeClass::kDisplacementOverlap:
-      return 1;
+      return kFamilyMoved;
     default:
       return 2;
   }
 }
 
-void set_features(const ObjectMotionJob& job, std::vector<Change>& changes) {
+void set_features(const ObjectMotionJob& job, const std::vector<Change>& others,
+                  std::vector<Change>& changes) {
   std::vector<Box3> boxes(changes.size());
   parallel_for(job.task, changes.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) boxes[k] = set_own(job, changes[k]);
+    for (size_t k = begin; k < end; ++k) {
+      Change& change = changes[k];
+      boxes[k] = changed_box(job, change.object);
+      if (family_of(change) == kFamilyMoved) continue;
+      set_own_features(job, change);
+      for (const Change& other : others)
+        if (other.confidence > change.features[kFeatureMayHaveMoved] && may_explain(other, change))
+          change.features[kFeatureMayHaveMoved] = other.confidence;
+    }
   });
   for (size_t a = 0; a < changes.size(); ++a) {
+    if (family_of(changes[a]) == kFamilyMoved) continue;
     double like = 0, near = 0;
     for (size_t b = 0; b < changes.size(); ++b) {
       if (a == b || boxes[a].empty() || boxes[b].empty()) continue;
@@ -168,8 +208,8 @@ void set_features(const ObjectMotionJob& job, std::vector<Change>& changes) {
           std::max(norm(boxes[a].max - boxes[a].min), norm(boxes[b].max - boxes[b].min));
       const double gap = box_gap(boxes[a], boxes[b]);
       if (gap <= kRightBeside * size) near = 1;
-      if (!are_opposite(changes[a].change_class, changes[b].change_class) ||
-          gap > kLikeReach * size)
+      if (family_of(changes[b]) == kFamilyMoved || gap > kLikeReach * size ||
+          has_come(job, changes[a]) == has_come(job, changes[b]))
         continue;
       const double p = area_of(job, changes[a]), q = area_of(job, changes[b]);
       if (std::max(p, q) > 0) like = std::max(like, std::min(p, q) / std::max(p, q));

@@ -27,18 +27,46 @@ enum ChangeFeature : size_t {
   kFeatureBesideHidden,  ///< share of what lies beside the changed points that the other epoch could not see
   kFeatureBesideSame,  ///< the same of what did not change: a thing that came or went is found whole
   kFeatureBothSides,   ///< lesser over larger changed area of the two epochs
-  kFeatureExplained,   ///< share of the points explained by one rigid motion
   kFeatureLike,  ///< how like a change of the opposite kind nearby is, by area: it may be the same thing
-  kFeatureNear,  ///< 1 right beside another statement: they may be pieces of one change
+  kFeatureNear,          ///< 1 right beside another statement: they may be pieces of one change
+  kFeatureMovedSurface,  ///< share of the changed points that lie on a surface which both epochs saw
+  kFeatureMayHaveMoved,  ///< of what did not move: the largest probability of a motion that explains it as well
+  // Of a motion: what it does not explain, as a logarithm, laid forth and back, the larger and the lesser, of the thing
+  // and of what changed of it; before and after tell alike.
+  kFeatureWorst,
+  kFeatureBest,
+  kFeatureChangedWorst,
+  kFeatureChangedBest,
+  kFeatureJudged,  ///< share of the points that could have been seen, of both epochs the lesser
+  kFeatureChangedOfWhole,  ///< share of the thing's points that changed
+  kFeatureWay,             ///< in thresholds
+  kFeatureWayOfSize,       ///< in sizes of the thing
+  kFeatureLikeCount,       ///< lesser over larger number of points, as a logarithm
+  kFeatureLikeExtents,     ///< the same of the extents of its upright box, where they differ most
+  kFeatureWhole,           ///< 1 where the thing ended within reach
+  // And of that nothing moved: what that does not explain, of both epochs the lesser and the larger. A thing that was
+  // pushed left a place, and a thing that grew did not.
+  kFeatureStayBest,
+  kFeatureStayWorst,
+  kFeatureTilt,        ///< of the motion's way, what turns the thing off that which it stands on
+  kFeatureTiltOfSize,  ///< that way in sizes of the thing: what leans gave way, what fell over moved
+  kFeatureSpread,      ///< lower decile over median distance: what gave way does so from nothing
   kChangeFeatures
 };
 using ChangeFeatures = std::array<double, kChangeFeatures>;
+
+/// The logarithm of what is at least 0; it ends at e^-5 and e^5: beyond, more of it tells nothing more.
+double limited_log(double value);
 
 /// Families of statements, each with weights of its own: came or went, moved, gave way.
 constexpr size_t kChangeFamilies = 3;
 size_t family_of(const Change& change);
 
-/// Sets the features of all changes of a diagnosis by evidence.
-void set_features(const ObjectMotionJob& job, std::vector<Change>& changes);
+/// Sets what speaks for a change by itself.
+void set_own_features(const ObjectMotionJob& job, Change& change);
+/// Sets the features of all changes of a diagnosis by evidence: their own, and what each is among the others; motions
+/// have theirs. others: the motions that were weighed and not chosen.
+void set_features(const ObjectMotionJob& job, const std::vector<Change>& others,
+                  std::vector<Change>& changes);
 
 }  // namespace jalon

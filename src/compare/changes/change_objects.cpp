@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWidenings = 6;  // of the window around a region ...
 // For one change: where it was pushed most of it changed, and looking farther costs what the whole cloud does.
-constexpr int kWideningsOfOne = 1;
+constexpr int kWideningsOfOne = 3;
 constexpr double kWidening =
     1.5;  // ... each by this: objects up to eleven times the size of their change
 constexpr double kWindow = 0.5;     // first margin in diagonals of the region

@@ -163,11 +163,12 @@ Diagnosis diagnose(const Comparison& forward, const Comparison& reverse,
   const double cell_m = std::max({out.before.regions.cell_m, out.after.regions.cell_m, 1e-6});
   if (has_evidence(forward, reverse)) {
     const ProgressSpan span(task, 0.3, 1, "classes");
-    std::vector<Change> found = classes_by_evidence(
+    WeighedChanges found = classes_by_evidence(
         {out.before, out.after, tolerance_of(forward, reverse, threshold_m), threshold_m, cell_m,
          seen_by(out.before, threshold_m, task), seen_by(out.after, threshold_m, task), task},
         settings.twin_reach);
-    for (Change& change : found)
+    out.weighed = std::move(found.others);
+    for (Change& change : found.changes)
       (is_told(change) ? out.changes : out.untold).push_back(std::move(change));
     return out;
   }

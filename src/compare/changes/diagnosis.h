@@ -20,12 +20,23 @@ enum class ChangeClass : uint8_t {
   kDeformationOverlap = 6,
 };
 
+/// How a motion explains a thing and what changed of it: the points of before laid on those of after, and back.
+struct MotionEvidence {
+  LaidOn forth, back, changed_forth, changed_back;
+  LaidOn stay_forth, stay_back;                                         ///< by none
+  size_t before = 0, after = 0, changed_before = 0, changed_after = 0;  ///< points
+  double way_m = 0;                                                     ///< of its farthest point
+  double tilt_m = 0;      ///< of that, by turning off what it stands on
+  bool is_whole = false;  ///< it ended within reach, and what it stands on is known
+};
+
 struct Change {
   ChangeClass change_class = ChangeClass::kAppearance;
   double confidence = 0;  ///< 0 ... 1
   ChangedObject object;
-  RigidMatch match;      ///< of displacements; world coordinates relative to the epochs' origin
-  double explained = 0;  ///< share of its points, by one rigid motion where one was looked for
+  RigidMatch match;       ///< of displacements; world coordinates relative to the epochs' origin
+  double explained = 0;   ///< share of its points, by one rigid motion where one was looked for
+  MotionEvidence motion;  ///< of a motion by the diagnosis by evidence
   ChangeFeatures features{};  ///< of the diagnosis by evidence
 };
 
@@ -34,6 +45,8 @@ struct Diagnosis {
   std::vector<Change> changes;
   /// Of the diagnosis by evidence: what is as likely wrong as right. It cannot be told what happened there.
   std::vector<Change> untold;
+  /// And what was weighed against these changes and is less probable.
+  std::vector<Change> weighed;
 };
 
 /// Parameter table of operation "diagnosis": that of the regions it starts from.

@@ -9,10 +9,16 @@ namespace jalon {
 /// Whether both comparisons tell of every point what speaks for a change ("detection" of method distance).
 bool has_evidence(const Comparison& forward, const Comparison& reverse);
 
-/// Classes of changes from regions whose points all speak for one: 1. pieces of one change; 2. a surface that moved as
-/// a part of a larger one is a deformation; 3. what changed in both epochs otherwise moved or was deformed; 4. of one
-/// epoch alone: a twin within reach is the same thing moved, else it appeared or went; 5. those of too few points are
-/// left out, the others have their confidence. Cost grows with the changed points. The epochs have their regions.
-std::vector<Change> classes_by_evidence(const ObjectMotionJob& job, double twin_reach);
+struct WeighedChanges {
+  std::vector<Change> changes;
+  std::vector<Change> others;  ///< what was weighed against them and not chosen
+};
+
+/// Classes of changes from regions whose points all speak for one: 1. pieces of one change; those of too few points are
+/// left out; 2. motions of the things that they are parts of, or that went at one place and came within reach at
+/// another, each with its probability: what is more likely than not is taken (moved_things.h); 3. what is left came or
+/// went, by the epoch that holds more of it, or gave way: what is more probable. Cost grows with the changed points. The
+/// epochs have their regions.
+WeighedChanges classes_by_evidence(const ObjectMotionJob& job, double twin_reach);
 
 }  // namespace jalon

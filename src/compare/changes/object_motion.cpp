@@ -17,10 +17,12 @@ using Job = ObjectMotionJob;
 // Of the points explained by one motion: scanned again after a rigid one 98 to 99.8 % were, of a beam of 3 m bent by
 // 0.25 m up to 88 %.
 constexpr double kRigidShare = 0.93;
-// Of a whole thing and of what changed of it: points by its edges find planes round the corner, of few points many do.
-constexpr double kWholeShare = 0.75, kChangedShare = 0.75;
-constexpr double kChangedOfAll = 0.5;
-constexpr size_t kFewChanged = 30;
+// Of a motion that is weighed against other explanations: how much of it could be seen is weighed as well.
+constexpr double kJudgedOfWhole = 0.3;
+// What explains less of a thing, or of what changed of it, is no motion of it: a fence that leans here and bulges there
+// slides along itself as well.
+constexpr double kLeastExplained = 0.5, kLeastChangedExplained = 0.5;
+constexpr size_t kFewChanged = 30;  // points by its edges find planes round the corner
 constexpr double kSizeRatio =
     1.5;  // between the extents of twins: one epoch may see less of it than the other
 constexpr double kSizeCells = 4;
@@ -53,25 +55,29 @@ std::vector<Vec3> changed_of(const Epoch& epoch, const std::vector<uint32_t>& po
   return out;
 }
 
-// What was behind a dent could not be seen before: of all changed points, seen or not, some must be explained.
-bool is_mostly_on(const LaidOn& laid, size_t all) {
-  return all < kFewChanged ||
-         (laid.share() >= kChangedShare &&
-          static_cast<double>(laid.on) >= kChangedOfAll * static_cast<double>(all));
+bool may_explain_change(const LaidOn& laid) {
+  return laid.all < kFewChanged || laid.share() >= kLeastChangedExplained;
 }
 
-// A stack that lost its upmost box did not sink into the floor.
-bool goes_through_support(const Job& job, const ChangedObject& whole, const Transform& motion) {
-  const std::vector<Vec3> points = job.before_of(whole);
+// Do points that a motion moves come to lie behind what the thing stands on?
+bool is_behind(const std::vector<Vec3>& points, const Transform& motion, const Support& support,
+               double tolerance_m) {
   Vec3 middle;
   for (const Vec3& p : points) middle += p / static_cast<double>(points.size());
+  const double side = support.plane.distance(middle) > 0 ? 1 : -1;
+  const auto behind = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
+    return side * support.plane.distance(motion.point(p)) < -support.tolerance_m - tolerance_m;
+  });
+  return static_cast<double>(behind) > kDiagnosisInsideShare * static_cast<double>(points.size());
+}
+
+// A stack that lost its upmost box did not sink into the floor, and one that got a box did not rise out of it.
+bool goes_through_support(const Job& job, const ChangedObject& whole, const Transform& motion) {
+  const std::vector<Vec3> before = job.before_of(whole), after = job.after_of(whole);
+  const Transform back = inverse(motion);
   return std::any_of(whole.supports.begin(), whole.supports.end(), [&](const Support& support) {
-    const double side = support.plane.distance(middle) > 0 ? 1 : -1;
-    const auto behind = std::count_if(points.begin(), points.end(), [&](const Vec3& p) {
-      return side * support.plane.distance(motion.point(p)) <
-             -support.tolerance_m - job.tolerance_m;
-    });
-    return static_cast<double>(behind) > kDiagnosisInsideShare * static_cast<double>(points.size());
+    return is_behind(before, motion, support, job.tolerance_m) ||
+           is_behind(after, back, support, job.tolerance_m);
   });
 }
 
@@ -85,23 +91,56 @@ bool overlaps(const Job& job, const ChangedObject& object, double margin_m) {
   return inside > kDiagnosisInsideShare * static_cast<double>(after.size());
 }
 
-bool moved_whole(const Job& job, ChangedObject whole, Change& out) {
+namespace {
+
+// Along the support that it turns off least: what slides along a wall on the floor does so along both.
+double tilt_of(const ChangedObject& object, const Transform& motion, double size_m) {
+  double least = INFINITY;
+  for (const Support& support : object.supports)
+    least = std::min(least, norm(motion.direction(support.plane.normal) - support.plane.normal));
+  if (object.supports.empty()) least = norm(motion.direction(up_of(object)) - up_of(object));
+  return least * size_m / 2;
+}
+
+}  // namespace
+
+bool motion_of_whole(const Job& job, ChangedObject whole, Change& out) {
   const MatchSurface before(job.before_of(whole), job.task), after(job.after_of(whole), job.task);
-  const RigidMatch found = match_rigidly(before, after, match_setting(job, whole), job.task);
-  if (!found.found || found.explained < kWholeShare) return false;
-  const double way = norm(found.displacement) +
-                     norm(found.rotation) * norm(before.box().max - before.box().min) / 2;
-  if (way < job.threshold_m) return false;  // the whole stayed, and something on it changed
+  MatchSetting setting = match_setting(job, whole);
+  setting.judged = kJudgedOfWhole;
+  const RigidMatch found = match_rigidly(before, after, setting, job.task);
+  if (!found.found) return false;
+  MotionEvidence& motion = out.motion;
+  const double size_m = norm(before.box().max - before.box().min);
+  motion.way_m = norm(found.displacement) + norm(found.rotation) * size_m / 2;
+  motion.tilt_m = tilt_of(whole, found.motion, size_m);
+  if (motion.way_m < job.threshold_m) return false;  // it stayed, and something on it changed
   if (goes_through_support(job, whole, found.motion)) return false;
   const std::vector<Vec3> gone = changed_of(job.before, whole.before),
                           come = changed_of(job.after, whole.after);
-  const LaidOn forth =
-      laid_on(gone, found.motion, after, job.seen_after, job.tolerance_m, job.task);
-  const LaidOn back =
-      laid_on(come, inverse(found.motion), before, job.seen_before, job.tolerance_m, job.task);
-  if (!is_mostly_on(forth, gone.size()) || !is_mostly_on(back, come.size())) return false;
+  const Transform back = inverse(found.motion);
+  const auto laid_forth = [&](const std::vector<Vec3>& points, const Transform& by) {
+    return laid_on(points, by, after, job.seen_after, job.tolerance_m, job.task);
+  };
+  const auto laid_back = [&](const std::vector<Vec3>& points, const Transform& by) {
+    return laid_on(points, by, before, job.seen_before, job.tolerance_m, job.task);
+  };
+  motion.forth = laid_forth(before.points(), found.motion);
+  motion.back = laid_back(after.points(), back);
+  out.explained = std::min(motion.forth.share(), motion.back.share());
+  if (out.explained < kLeastExplained) return false;
+  motion.changed_forth = laid_forth(gone, found.motion);
+  motion.changed_back = laid_back(come, back);
+  if (!may_explain_change(motion.changed_forth) || !may_explain_change(motion.changed_back))
+    return false;
+  motion.stay_forth = laid_forth(before.points(), {});
+  motion.stay_back = laid_back(after.points(), {});
+  motion.before = before.size();
+  motion.after = after.size();
+  motion.changed_before = gone.size();
+  motion.changed_after = come.size();
+  motion.is_whole = !whole.supports.empty();
   out.match = found;
-  out.explained = found.explained;
   out.object = std::move(whole);
   out.change_class =
       overlaps(job, out.object, 0) ? ChangeClass::kDisplacementOverlap : ChangeClass::kDisplacement;

@@ -30,9 +30,10 @@ struct ObjectMotionJob {
 bool overlaps(const ObjectMotionJob& job, const ChangedObject& object, double margin_m);
 /// One rigid motion of the object, or none that explains enough.
 Change moved_or_deformed(const ObjectMotionJob& job, ChangedObject object);
-/// Does a rigid motion by more than the threshold lay the whole object onto itself, and what changed of it (by the
-/// labels of the epochs) onto what is there now? Of a thing that was pushed only the ends changed.
-bool moved_whole(const ObjectMotionJob& job, ChangedObject whole, Change& out);
+/// Of a rigid motion by more than the threshold that lays the whole object onto itself as well as any does: what
+/// speaks for it. Of a thing that was pushed only the ends changed (by the labels of the epochs). False where there is
+/// none, or it would go through what the object stands on.
+bool motion_of_whole(const ObjectMotionJob& job, ChangedObject whole, Change& out);
 /// Of an object's upright box, the least first.
 using Extents = std::array<double, 3>;
 Extents extents_of(const std::vector<Vec3>& points, const ChangedObject& object);

@@ -21,8 +21,8 @@ constexpr double kDiscs = 4;  // points within so many of their discs' radii bel
 constexpr double kDamping = 1e-6;  // keeps directions that nothing fixes where they are
 constexpr double kEqual =
     0.02;  // shares that differ by less are chance: a box turned half round fits as well
-constexpr double kJudged =
-    0.7;  // share of the points that must have been in sight of the other scanners
+// Of the tolerance: a step by less changes no pair.
+constexpr double kSmallStep = 0.01;
 constexpr int kRefinements = 4;
 constexpr size_t kLeastPairs = 12;  // two for each unknown
 
@@ -38,9 +38,10 @@ bool lies_on(const MatchSurface& surface, const Vec3& moved, double reach_m, Pla
   return squared_norm(pair.normal) > 0 && std::abs(dot(pair.normal, moved - pair.to)) <= reach_m;
 }
 
-// Step 2: one iteration; false when too few points meet.
-bool iterate(const std::vector<Vec3>& sample, const MatchSurface& after, double reach_m,
-             MotionModel& model) {
+// Step 2: one iteration, by how far it moved what is size_m large; negative when too few points meet.
+double iterate(const std::vector<Vec3>& sample, const MatchSurface& after, double reach_m,
+               double size_m, MotionModel& model) {
+  constexpr double kNone = -1;
   Square<6> normal{};
   Coefficients<6> right{}, j;
   size_t n = 0;
@@ -54,7 +55,7 @@ bool iterate(const std::vector<Vec3>& sample, const MatchSurface& after, double 
       for (size_t c = 0; c < 6; ++c) normal[6 * r + c] += j[r] * j[c];
     }
   }
-  if (n < kLeastPairs) return false;
+  if (n < kLeastPairs) return kNone;
   double trace_turn = 0, trace_shift = 0;
   for (size_t i = 0; i < 3; ++i) {
     trace_turn += normal[7 * i];
@@ -62,18 +63,20 @@ bool iterate(const std::vector<Vec3>& sample, const MatchSurface& after, double 
   }
   for (size_t i = 0; i < 6; ++i) normal[7 * i] += kDamping * (i < 3 ? trace_turn : trace_shift);
   Cholesky<6> factor;
-  if (!factor.factor(normal)) return false;
-  model.move(factor.solve(right));
-  return true;
+  if (!factor.factor(normal)) return kNone;
+  const Coefficients<6> step = factor.solve(right);
+  model.move(step);
+  return norm(Vec3{step[0], step[1], step[2]}) * size_m / 2 + norm(Vec3{step[3], step[4], step[5]});
 }
 
 Transform iterated(const std::vector<Vec3>& sample, const MatchSurface& before,
                    const MatchSurface& after, const Transform& start, double tolerance_m) {
   MotionModel model(start, before.centroid());
-  const Vec3 size = before.box().max - before.box().min;
-  double reach_m = std::max(norm(size) / 4, tolerance_m);
+  const double size_m = norm(before.box().max - before.box().min);
+  double reach_m = std::max(size_m / 4, tolerance_m);
   for (int k = 0; k < kIterations; ++k) {
-    if (!iterate(sample, after, reach_m, model)) break;
+    const double step_m = iterate(sample, after, reach_m, size_m, model);
+    if (step_m < 0 || (reach_m <= tolerance_m && step_m < kSmallStep * tolerance_m)) break;
     reach_m = std::max(reach_m * kShrink, tolerance_m);
   }
   return model.motion();
@@ -87,8 +90,8 @@ double explained_by(const Transform& motion, const std::vector<Vec3>& of_before,
   const LaidOn back =
       laid_on(of_after, inverse(motion), before, setting.seen_before, setting.tolerance_m, task);
   // Where most of it could not have been seen, nothing says that it is there.
-  const auto is_judged = [](const LaidOn& share, size_t n) {
-    return static_cast<double>(share.all) >= kJudged * static_cast<double>(n);
+  const auto is_judged = [&](const LaidOn& share, size_t n) {
+    return static_cast<double>(share.all) >= setting.judged * static_cast<double>(n);
   };
   if (!is_judged(forth, of_before.size()) || !is_judged(back, of_after.size())) return 0;
   // A large part of one that lies on a small part of the other is no match: the worse direction counts.

@@ -18,6 +18,8 @@ struct MatchSetting {
   bool stands = false;        ///< on a support: only turns about its normal are tried first
   Vec3 up{0, 0, 1};
   SeenTest seen_before, seen_after;  ///< by the stations of either epoch
+  /// Share of the points that must have been in sight of the other scanners for anything to be explained.
+  double judged = 0.7;
 };
 
 /// How well one rigid motion lays the object before onto the object after.

@@ -52,7 +52,8 @@ TEST_CASE("change_features__of_a_box_that_came_tell_that_its_place_was_seen_thro
   CHECK(f[kFeatureThrough] > 0.8);
   CHECK(f[kFeatureNothingNear] == 0);
   CHECK(f[kFeatureBothSides] == 0);
-  CHECK(f[kFeatureExplained] == 0);
+  CHECK(f[kFeatureMovedSurface] < 0.2);
+  CHECK(f[kFeatureWorst] == 0);
   CHECK(f[kFeatureThresholds] > 0);
   CHECK(f[kFeatureLevels] > 3);
   CHECK(f[kFeatureSlender] > 0.3);

@@ -88,13 +88,14 @@ bool moved(const TwoEpochs& epochs, Change& out) {
   ChangedObject whole = whole_object(
       epochs.before, epochs.after, after.empty() ? before[0].indices : std::vector<uint32_t>{},
       after.empty() ? std::vector<uint32_t>{} : after[0].indices, kApart_m / 2, task);
-  return moved_whole({epochs.before, epochs.after, kApart_m / 2, kApart_m, kApart_m, {}, {}, task},
-                     std::move(whole), out);
+  return motion_of_whole(
+      {epochs.before, epochs.after, kApart_m / 2, kApart_m, kApart_m, {}, {}, task},
+      std::move(whole), out);
 }
 
 }  // namespace
 
-TEST_CASE("moved_whole__of_a_block_that_was_pushed_tells_how_far") {
+TEST_CASE("motion_of_whole__of_a_block_that_was_pushed_tells_how_far") {
   const Vec3 size{0.8, 0.55, 0.4}, by{0.3, 0.2, 0};
   Change change;
   REQUIRE(moved({floor_with_block({-0.5, -0.4, 0}, size, 1),
@@ -105,7 +106,7 @@ TEST_CASE("moved_whole__of_a_block_that_was_pushed_tells_how_far") {
   CHECK(change.explained > 0.75);
 }
 
-TEST_CASE("moved_whole__is_no_block_that_became_lower") {
+TEST_CASE("motion_of_whole__is_no_block_that_became_lower") {
   Change change;
   CHECK_FALSE(moved({floor_with_block({-0.5, -0.4, 0}, {0.8, 0.55, 0.9}, 3),
                      floor_with_block({-0.5, -0.4, 0}, {0.8, 0.55, 0.45}, 4)},
