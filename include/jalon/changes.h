@@ -85,13 +85,18 @@ enum {
  * those beyond the threshold besides, and objects are their changed points alone: regions are of one
  * change where one's points have their nearest in the other, where they are one surface moved by the
  * same way, or side by side. A surface that moved before or behind where it was by a tenth of its
- * size at most is a deformation, even where the piece itself moved as a whole; what changed in both
- * epochs otherwise is laid onto itself as above; of one epoch alone it has a twin within "twin_reach"
- * of its sizes or appeared or disappeared. A thing whose ends alone changed, as of one that was
- * pushed, is made whole first. The cost grows with the changed points. "confidence" then is the
- * probability that this did change, and in this way, overlap or not: a logistic regression on what the
- * stations saw, on distances against threshold, noise and spacing, on shapes and on other changes
- * nearby, fitted to scenes with truth. What is as likely wrong as right is left out: it cannot be told.
+ * size at most looks like a deformation, what changed in one epoch alone like a thing that came or
+ * went. Explanations are weighed, each with its probability, and the likeliest is told: 1. the thing
+ * that changed points are parts of, or that what went and what came within "twin_reach" of its sizes
+ * are parts of, is made whole and laid onto itself by a rigid motion; it was displaced where that is
+ * more likely than not, by what the motion explains of it and of what changed, by what staying
+ * explains as well, by its way, by how far that turns it off what it stands on, and by how alike both
+ * are; 2. of what is left each group of regions appeared or disappeared, or was deformed. The cost
+ * grows with the changed points. "confidence" is that probability: that this did change, and in this
+ * way, overlap or not; a logistic regression on what the stations saw, on distances against
+ * threshold, noise and spacing, on shapes and on other changes nearby, fitted to scenes with truth
+ * and scaled to kinds of scenes left out. What is as likely wrong as right is left out: it cannot be
+ * told.
  *
  * out_forward and out_reverse, one row a point of the comparison:
  *     column   type    unit  meaning

@@ -24,7 +24,7 @@ struct Compare {
   ViewerOption viewer;
   Common common;
   Settings settings, change_settings, sample_settings;
-  Input reference, compared;
+  Input reference, compared, core;
   std::string method = "distance", registration, output;
   double threshold_m = 0;  ///< 0 = the operation's default
   bool is_one_way = false, is_forced = false;
@@ -63,10 +63,12 @@ struct Compare {
   }
 
   // Models have faces, and a scan compared with them has no way back: the scan's points are not all of the model.
-  Direction run_to(const Console& console, const Comparer& worker, const Epoch& from,
+  Direction run_to(Console& console, const Comparer& worker, const Epoch& from,
                    const Epoch& to) const {
-    return from.model != nullptr ? run_model(console, worker, from.model, to.cloud)
-                                 : run_one(console, worker, from.cloud, to.cloud);
+    if (from.model == nullptr) return run_one(console, worker, from.cloud, to.cloud);
+    if (!core.path.empty())
+      throw Failure{JALON_ERROR_UNSUPPORTED, "--core is for two scans, not for a model"};
+    return run_model(console, worker, from.model, to.cloud);
   }
 
   Comparer comparer(Params& params) const {
@@ -96,10 +98,14 @@ struct Compare {
     return direction_of(std::move(made));
   }
 
-  static Direction run_one(const Console& console, const Comparer& worker, const Cloud& from,
-                           const Cloud& to) {
+  Direction run_one(Console& console, const Comparer& worker, const Cloud& from,
+                    const Cloud& to) const {
     Comparison made;
-    must(jalon_comparer_run(worker.get(), from.get(), to.get(), console.task(), Out(made)));
+    if (core.path.empty())
+      must(jalon_comparer_run(worker.get(), from.get(), to.get(), console.task(), Out(made)));
+    else
+      must(jalon_comparer_run_core(worker.get(), from.get(), to.get(), core.read(console).get(),
+                                   console.task(), Out(made)));
     return direction_of(std::move(made));
   }
 
@@ -339,6 +345,10 @@ void add_compare(Command& app) {
           "--registration", state->registration,
           "registration.json of \"jalon register\": its covariance joins m3c2's level of detection")
       .type_name("FILE");
+  command
+      .option("--core", state->core.path,
+              "Scan file of m3c2's core points: where its distances are measured")
+      .type_name("SCAN");
   command.option("--threshold", state->threshold_m, "Distance (m) above which a point has changed")
       .positive();
   command.flag("--one-way", state->is_one_way,

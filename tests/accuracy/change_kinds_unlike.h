@@ -144,8 +144,8 @@ inline EpochScenes walls_give_way(uint64_t seed) {
   return out;
 }
 
-/// One end of a thing changes: bricks are set to a pile, others are taken from one, a berm is filled up at one side, and
-/// a crate is pushed by as much.
+/// One end of a thing changes: bricks are set to a pile, others are taken from one, a berm is filled up at one side,
+/// and a crate is pushed by as much.
 inline EpochScenes growth(uint64_t seed) {
   SceneDice dice(seed, 15);
   EpochScenes out;
