@@ -58,11 +58,12 @@ ConfidenceFigures told(const char* name, const std::vector<ScoredRun>& runs) {
 
 namespace {
 
-// In short: the things that were pushed and a scene that did not change; of the reported ones what lies in shadows.
+// In short: things that were pushed, that came and went, walls that gave way and a scene that did not change; of the
+// reported ones what lies in shadows.
 bool is_in_short_run(const SceneKind& kind) {
   const std::string name = kind.name;
-  return name == "boxes pushed" || name == "unchanged yard" || name == "shadowed neighbours" ||
-         name == "heap and board";
+  return name == "boxes pushed" || name == "boxes come and go" || name == "walls give way" ||
+         name == "unchanged yard" || name == "shadowed neighbours" || name == "heap and board";
 }
 
 // JALON_CHANGE_KIND=box takes the kinds whose names hold it, -box the others.
