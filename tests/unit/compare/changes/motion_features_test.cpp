@@ -11,10 +11,10 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr Vec3 kSize{0.8, 0.55, 0.4}, kFrom{-0.5, -0.4, 0};
+constexpr Vec3 kMotionBoxSize{0.8, 0.55, 0.4}, kMotionBoxFrom{-0.5, -0.4, 0};
 
 // Of the thing that the largest region of the epoch after is a part of; empty where no motion may explain it.
-ChangeFeatures features_of(const ToldEpochs& epochs) {
+ChangeFeatures motion_features_of(const ToldEpochs& epochs) {
   Task task;
   const ObjectMotionJob job = epochs.job(task);
   const auto& regions = epochs.after.regions.regions;
@@ -30,18 +30,21 @@ ChangeFeatures features_of(const ToldEpochs& epochs) {
 }  // namespace
 
 TEST_CASE("motion_features__of_a_box_that_was_pushed_tell_that_it_left_a_place_and_still_stands") {
-  const ChangeFeatures f = features_of(
-      {floor_with({{kFrom, kSize}}, 21), floor_with({{kFrom + Vec3{0.3, 0.2, 0}, kSize}}, 22)});
+  const ChangeFeatures f =
+      motion_features_of({floor_with({{kMotionBoxFrom, kMotionBoxSize}}, 21),
+                          floor_with({{kMotionBoxFrom + Vec3{0.3, 0.2, 0}, kMotionBoxSize}}, 22)});
   CHECK(f[kFeatureTilt] < 0.05);
   CHECK(f[kFeatureStayBest] > f[kFeatureWorst] + 1);
   CHECK(f[kFeatureLikeExtents] > std::log(0.9));
-  CHECK(f[kFeatureWayOfSize] == doctest::Approx(std::log(0.36 / norm(kSize))).epsilon(0.1));
+  CHECK(f[kFeatureWayOfSize] ==
+        doctest::Approx(std::log(0.36 / norm(kMotionBoxSize))).epsilon(0.1));
   CHECK(f[kFeatureWhole] == 1);
   CHECK(f[kFeatureJudged] == 1);
 }
 
 TEST_CASE("motion_features__tell_how_much_of_the_way_turns_a_thing_off_its_support") {
-  const ToldEpochs epochs(floor_with({{kFrom, kSize}}, 23), floor_with({{kFrom, kSize}}, 24));
+  const ToldEpochs epochs(floor_with({{kMotionBoxFrom, kMotionBoxSize}}, 23),
+                          floor_with({{kMotionBoxFrom, kMotionBoxSize}}, 24));
   Task task;
   Change change;
   change.motion.way_m = 0.2;
@@ -55,7 +58,8 @@ TEST_CASE("motion_features__tell_how_much_of_the_way_turns_a_thing_off_its_suppo
 }
 
 TEST_CASE("motion_features__of_few_points_are_unsure") {
-  const ToldEpochs epochs(floor_with({{kFrom, kSize}}, 25), floor_with({{kFrom, kSize}}, 26));
+  const ToldEpochs epochs(floor_with({{kMotionBoxFrom, kMotionBoxSize}}, 25),
+                          floor_with({{kMotionBoxFrom, kMotionBoxSize}}, 26));
   Task task;
   const auto worst_of = [&](size_t points) {
     Change change;
