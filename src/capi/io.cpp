@@ -46,11 +46,11 @@ jalon_status jalon_cloud_write(const jalon_cloud* cloud, const char* path,
 jalon_status jalon_cloud_convert(const char* source, const char* target,
                                  const jalon_params* options, jalon_task* task, uint64_t* out) {
   return guard([&] {
+    require(out, "out");
     const std::string from = require_path(source, "source"), to = require_path(target, "target");
     const ParamSet values = options_or_default(options, "convert");
-    with_task(task, [&](Task& t) {
-      const uint64_t count = convert_cloud(from, to, settings_from<ConvertSettings>(values), t);
-      if (out != nullptr) *out = count;
+    *out = with_task(task, [&](Task& t) {
+      return convert_cloud(from, to, settings_from<ConvertSettings>(values), t);
     });
   });
 }

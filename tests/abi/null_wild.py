@@ -63,7 +63,6 @@ BASE = {
     "jalon_cloud_share_octree.count": "3", "jalon_params_set_bool.value": "1", "jalon_cloud_split.value": "1.0",
     "jalon_params_set_doubles.count": "0", "jalon_cloud_crop_polygon.w_min": "-100.0",
     "jalon_cloud_read.path": 'fx_path("scan.las")', "jalon_cloud_write.path": 'fx_path("out.las")',
-    "jalon_cloud_convert.source": 'fx_path("scan.las")', "jalon_cloud_convert.target": 'fx_path("out.las")',
     "jalon_model_read.path": 'fx_path("model.obj")', "jalon_model_write.path": 'fx_path("out.obj")',
     "jalon_report_write_orthoimage.path": 'fx_path("orthoimage.png")',
     "jalon_report_write_elevation.path": 'fx_path("out.svg")', "jalon_report_write_html.path": 'fx_path("out.html")',
@@ -212,7 +211,7 @@ def text(function, p):
     base = {"crs": '"EPSG:2154"', "name": '"intensity"', "unit": '"m"', "meaning": '"a meaning"', "field": '"intensity"', "other": "NULL", "gradient_field": '"intensity"',
             "label_field": '"intensity"', "class_field": '"intensity"', "reference_field": '"intensity"',
             "part_class": '"wall"', "method": "NULL", "operation": '"normals"', "json": '"{}"', "notes_json": r'"{\"title\":\"t\"}"',
-            "value": "fx_text_value", "path": 'fx_path("out.xyz")', "sigma_path": "NULL", "points": r'"id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n"',
+            "value": "fx_text_value", "path": 'fx_path("out.xyz")', "source": 'fx_path("scan.las")', "target": 'fx_path("out.xyz")', "sigma_path": "NULL", "points": r'"id x y z sx sy sz\nA 0 0 0 0 0 0\nB 0 50 0 0 0 0\n"',
             "observations": r'"from to direction zenith distance\nA B 0 100 50\n"'}.get(p.name)
     if base is None:
         return None
@@ -222,7 +221,7 @@ def text(function, p):
     if p.name == "notes_json":  # keys it does not know are left aside, an empty text is as good as none
         open_texts = (r'"{\"no_such_name\":1}"', '""')
         wild = wild_values(open_texts) + wild_values([t for t in JSON + TEXTS if t not in open_texts], FAIL)
-    if p.name in ("path", "sigma_path"):
+    if p.name in ("path", "source", "target", "sigma_path"):
         wild = wild_values(TEXTS + PATHS, ANY)
     if p.name in ("method", "operation"):
         wild = wild_values(TEXTS + ['"no such"'], FAIL)
