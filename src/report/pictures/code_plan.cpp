@@ -263,13 +263,6 @@ void draw_code_key(SvgWriter& svg, const CodePlan& plan) {
              std::to_string(plan.without_room) + " codes have no room here", false, false, kGrey);
 }
 
-void draw_north(SvgWriter& svg, const Sheet& sheet) {
-  const double x = sheet.view.right() - 5, top = sheet.view.y + 3;
-  const std::vector<Vec2> head{{x, top}, {x - 1.6, top + 6}, {x, top + 4.6}, {x + 1.6, top + 6}};
-  svg.leaf("path", {{"d", svg_polyline(head) + "Z"}, {"fill", kInk}});
-  svg_text(svg, {x, top + 9}, kCodePlanText, Anchor::kMiddle, "N", true);
-}
-
 }  // namespace
 
 Rgb class_colour(int64_t class_code) { return kClassColours[colour_of_class(class_code)]; }
@@ -285,19 +278,12 @@ std::string code_plan_svg(const Segmentation& segmentation, const CodedNotes& no
                            grouped(notes.objects.size()) + " coded objects, " +
                            grouped(segmentation.cloud->size()) + " points";
   open_figure(svg, sheet, text);
-  svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
-           fitted_text(text, 3.2, sheet.width - sheet.view.x - 3), true);
+  draw_picture_title(svg, sheet, text);
   draw_class_points(svg, plan);
-  svg.leaf("rect", {{"x", sheet.view.x},
-                    {"y", sheet.view.y},
-                    {"width", sheet.view.width},
-                    {"height", sheet.view.height},
-                    {"fill", "none"},
-                    {"stroke", kInk},
-                    {"stroke-width", 0.25}});
+  draw_picture_frame(svg, sheet);
   for (const NotedObject& o : notes.objects) draw_object(svg, plan, o);
   draw_surveyed(svg, plan);
-  draw_north(svg, sheet);
+  draw_north_arrow(svg, sheet);
   draw_axes(svg, plan.raster, sheet, {"East (m)", "North (m)"});
   draw_code_key(svg, plan);
   draw_scale_bar(svg, sheet);

@@ -92,8 +92,7 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
   SvgWriter svg;
   const std::string title = settings.title.empty() ? "Distances" : settings.title;
   open_figure(svg, sheet, title);
-  svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
-           fitted_text(title, 3.2, sheet.width - sheet.view.x - 3), true);
+  draw_picture_title(svg, sheet, title);
   const Box_mm& v = sheet.view;
   if (!is_empty)
     svg.leaf("image", {{"x", v.x},
@@ -104,13 +103,7 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
                        {"style", "image-rendering:pixelated"},
                        {"xlink:href", "data:image/png;base64," +
                                           base64_of(png_of(deviation_image(raster, scale)))}});
-  svg.leaf("rect", {{"x", v.x},
-                    {"y", v.y},
-                    {"width", v.width},
-                    {"height", v.height},
-                    {"fill", "none"},
-                    {"stroke", kInk},
-                    {"stroke-width", 0.25}});
+  draw_picture_frame(svg, sheet);
   if (!is_empty)
     draw_picture_marks(
         svg, settings.marks,

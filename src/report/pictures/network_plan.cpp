@@ -222,13 +222,6 @@ void draw_network_key(SvgWriter& svg, const NetworkPlan& plan) {
              grouped(plan.without_room) + " names have no room here", false, false, kGrey);
 }
 
-void draw_north_arrow(SvgWriter& svg, const Sheet& sheet) {
-  const double x = sheet.view.right() - 5, top = sheet.view.y + 3;
-  const std::vector<Vec2> head{{x, top}, {x - 1.6, top + 6}, {x, top + 4.6}, {x + 1.6, top + 6}};
-  svg.leaf("path", {{"d", svg_polyline(head) + "Z"}, {"fill", kInk}});
-  svg_text(svg, {x, top + 9}, kKeyText, Anchor::kMiddle, "N", true);
-}
-
 }  // namespace
 
 std::string network_plan_svg(const NetworkAdjustment& network, const std::string& title,
@@ -249,15 +242,8 @@ std::string network_plan_svg(const NetworkAdjustment& network, const std::string
                            grouped(network.points.size()) + " points, " +
                            grouped(network.survey.setups.size()) + " setups";
   open_figure(svg, sheet, text);
-  svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
-           fitted_text(text, 3.2, sheet.width - sheet.view.x - 3), true);
-  svg.leaf("rect", {{"x", sheet.view.x},
-                    {"y", sheet.view.y},
-                    {"width", sheet.view.width},
-                    {"height", sheet.view.height},
-                    {"fill", "none"},
-                    {"stroke", kInk},
-                    {"stroke-width", 0.25}});
+  draw_picture_title(svg, sheet, text);
+  draw_picture_frame(svg, sheet);
   draw_sights(svg, plan);
   draw_ellipses(svg, plan, points);
   draw_points(svg, plan);

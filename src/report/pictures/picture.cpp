@@ -140,20 +140,13 @@ std::string picture_svg(const Segmentation& segmentation, const PictureSettings&
   SvgWriter svg;
   const std::string title = title_of(picture, settings);
   open_figure(svg, sheet, title);
-  svg_text(svg, {sheet.view.x, sheet.view.y - 3.5}, 3.2, Anchor::kStart,
-           fitted_text(title, 3.2, sheet.width - sheet.view.x - 3), true);
+  draw_picture_title(svg, sheet, title);
   if (is_empty) {
     svg_text(svg, {sheet.view.x + 30, sheet.view.y + 20}, 4, Anchor::kMiddle, "no points to draw");
     return svg.take();
   }
   draw_image(svg, picture);
-  svg.leaf("rect", {{"x", sheet.view.x},
-                    {"y", sheet.view.y},
-                    {"width", sheet.view.width},
-                    {"height", sheet.view.height},
-                    {"fill", "none"},
-                    {"stroke", kInk},
-                    {"stroke-width", 0.25}});
+  draw_picture_frame(svg, sheet);
   draw_axes(svg, picture.raster, picture.sheet, axes_of(picture));
   if (settings.numbers) draw_numbers(svg, picture);
   draw_legend(svg, picture);

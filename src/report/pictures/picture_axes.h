@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "report/pictures/label_raster.h"
 #include "report/sheet/sheet.h"
 #include "report/sheet/svg_parts.h"
@@ -19,5 +21,10 @@ struct PictureAxes {
 /// Tick marks, labels and names below and to the left of the picture.
 void draw_axes(SvgWriter& svg, const LabelRaster& raster, const Sheet& sheet,
                const PictureAxes& axes);
+/// What the picture is, above it, and its border.
+void draw_picture_title(SvgWriter& svg, const Sheet& sheet, const std::string& title);
+void draw_picture_frame(SvgWriter& svg, const Sheet& sheet);
+/// In the upper right corner of a plan whose axis up is north.
+void draw_north_arrow(SvgWriter& svg, const Sheet& sheet);
 
 }  // namespace jalon
