@@ -101,6 +101,7 @@ static class RealValues {
       return texts[type.Name + ".name"];
     }
     string text = Of(texts, where, name, null);
-    return name == "path" ? Survey.At(text ?? call.Name + ".svg") : text;
+    bool isFile = name == "path" || name == "source" || name == "target";
+    return isFile ? Survey.At(text ?? call.Name + ".svg") : text;
   }
 }

@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
 import math
+import os
+import tempfile
 import unittest
 
 import numpy as np
@@ -42,6 +44,15 @@ class Networks(unittest.TestCase):
         self.assertIn('"sigma_centring_m"', network.parameters)
         kinds = network.observations["kind"]
         self.assertEqual([(kinds == k).sum() for k in (1, 2, 3, 7, 8)], [4, 4, 4, 4, 2])
+
+    def python__a_network_is_reported_as_a_page_and_as_its_plan(self):
+        network = jalon.Network.adjust(sights(), NAILS, refraction=1)
+        with tempfile.TemporaryDirectory() as folder:
+            for name, start in (("network.html", "<!DOCTYPE html"), ("plan.svg", "<svg")):
+                path = os.path.join(folder, name)
+                jalon.report_write_network(network, path)
+                with open(path, encoding="utf-8") as file:
+                    self.assertIn(start, file.read(400))
 
     def python__its_codes_guide_a_segmentation(self):
         network = jalon.Network.adjust(sights("360"), NAILS, refraction=1)

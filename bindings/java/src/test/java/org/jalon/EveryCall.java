@@ -221,6 +221,7 @@ final class EveryCall {
 
   static String text(String where, String name, Map<String, String> texts) {
     final String text = texts.getOrDefault(where + "." + name, texts.get(name));
-    return name.equals("path") ? Survey.get().path(text == null ? where.substring(where.indexOf('.') + 1) + texts.get("svg") : text) : text;
+    final boolean isFile = name.equals("path") || name.equals("source") || name.equals("target");
+    return isFile ? Survey.get().path(text == null ? where.substring(where.indexOf('.') + 1) + texts.get("svg") : text) : text;
   }
 }
