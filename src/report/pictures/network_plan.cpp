@@ -23,6 +23,7 @@ namespace {
 constexpr double kNetworkRoom = 0.06, kLeastNetwork_m = 1;  // of the longer side, about the points
 constexpr double kLargestEllipse_mm = 8;                    // semi-axis on paper
 constexpr double kLeastEllipse_mm = 0.05;                   // nothing is seen of smaller ones
+constexpr double kLongestName_mm = 18;                      // of a point: some twelve letters
 constexpr double kStation_mm = 1.5, kSighted_mm = 0.4, kKeyText = 2.5, kPointText = 1.9,
                  kKeyRow = 4.4;
 constexpr double kSight_mm = 0.1, kBetweenStations_mm = 0.25, kEllipse_mm = 0.2;
@@ -138,7 +139,8 @@ void draw_mark(SvgWriter& svg, const Vec2& at, bool is_station, Role role) {
 
 // Beside its mark, where nothing stands yet; none without room.
 void draw_name(SvgWriter& svg, NetworkPlan& plan, size_t point, bool is_bold) {
-  const std::string& name = plan.network.survey.points[point].id;
+  const std::string name =
+      fitted_text(plan.network.survey.points[point].id, kPointText, kLongestName_mm);
   const Vec2 at = plan.at(point);
   const double width = text_width(name, kPointText), gap = is_bold ? kStation_mm + 0.6 : 0.9;
   const Vec2 places[] = {{at.u + gap, at.v - kPointText / 2},
