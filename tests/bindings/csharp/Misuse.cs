@@ -85,7 +85,7 @@ static class Misuse {
     if (type == typeof(double)) return number;
     if (type == typeof(long)) return new[] {0, -1, long.MaxValue, long.MinValue}[random.Next(4)];
     if (type == typeof(int)) return new[] {0, -1, int.MaxValue, int.MinValue}[random.Next(4)];
-    if (type == typeof(string)) return random.Next(2) == 0 ? null : "wild \"\n%s";
+    if (type == typeof(string)) return random.Next(2) == 0 ? null : "nowhere/wild \"\n%s";
     if (type == typeof(bool[])) return new bool[random.Next(4)];
     if (type == typeof(IEnumerable<Cloud>)) return new[] {Survey.Scan, null};
     if (type == typeof(double[])) return random.Next(4) == 0 ? null : new double[] {number, 1, number};

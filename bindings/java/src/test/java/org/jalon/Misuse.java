@@ -111,7 +111,7 @@ final class Misuse {
     } else if (type == int.class) {
       return (int) number;
     } else if (type == String.class) {
-      return random.nextBoolean() ? null : "wild \"\n%s";
+      return random.nextBoolean() ? null : "nowhere/wild \"\n%s";
     } else if (type == double[][].class) {
       return new double[][] {{1, 2, 3}, random.nextBoolean() ? null : new double[] {1}};
     } else if (type == List.class) {
