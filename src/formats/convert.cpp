@@ -80,10 +80,11 @@ class Stream {
   Cloud last_;  ///< without points, with all else
 };
 
+// Steps that the user chose begin at the middle of all points.
 bool can_stream(const std::string& from, const std::string& to, const Format& read,
-                const Format* written) {
-  return written != nullptr && read.read_pieces != nullptr && written->write_pieces != nullptr &&
-         !has_station_file(from) && !are_same_file(from, to);
+                const Format* written, const WriteSettings& writing) {
+  return writing.scale == 0 && written != nullptr && read.read_pieces != nullptr &&
+         written->write_pieces != nullptr && !has_station_file(from) && !are_same_file(from, to);
 }
 
 std::optional<uint64_t> streamed(const std::string& from, const std::string& to,
@@ -91,7 +92,7 @@ std::optional<uint64_t> streamed(const std::string& from, const std::string& to,
                                  Task& task) {
   const ByteSource source(from);
   const Format* written = format_to_write(to, writing);
-  if (!can_stream(from, to, format_to_read(source, reading), written)) return std::nullopt;
+  if (!can_stream(from, to, format_to_read(source, reading), written, writing)) return std::nullopt;
   reading.box_m();  // refused before anything is read
   if (reading.spacing_m > 0 && !is_copc(source)) return std::nullopt;
   const auto count = Stream(source, reading, *written, to, writing, task).run();
@@ -103,16 +104,15 @@ std::optional<uint64_t> streamed(const std::string& from, const std::string& to,
 
 uint64_t convert_cloud(const std::string& from, const std::string& to,
                        const ConvertSettings& settings, Task& task) {
-  const ReadSettings reading = settings.reading();
-  const WriteSettings writing = settings.writing();
-  if (const auto count = streamed(from, to, reading, writing, task)) return *count;
+  if (const auto count = streamed(from, to, settings.reading, settings.writing, task))
+    return *count;
   Cloud cloud;
   {
     ProgressSpan span(task, 0, 0.5, "reading");
-    cloud = read_cloud(from, reading, task);
+    cloud = read_cloud(from, settings.reading, task);
   }
   ProgressSpan span(task, 0.5, 1, "writing");
-  write_cloud(cloud, to, writing, task);
+  write_cloud(cloud, to, settings.writing, task);
   return cloud.size();
 }
 

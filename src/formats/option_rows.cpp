@@ -75,87 +75,59 @@ constexpr auto kInfos = [] {
 
 constexpr FixedText kReadChoices = choices(true), kWriteChoices = choices(false);
 
-// Rows of "read" and "write" that "convert" has too.
-template <auto member>
-constexpr ParamRow columns_row() {
-  return string_row<member>(
-      "columns", "text",
-      "Columns of a text file, e.g. \"x y z intensity\" or \"x y z i r g b nx ny nz\"; - "
-      "or _ skips one. Empty: from the header, or "
-      "guessed");
-}
-template <auto member>
-constexpr ParamRow drop_invalid_row() {
-  return bool_row<member>(
-      "drop_invalid", "",
-      "Drop points whose coordinates are not finite instead of refusing the file");
-}
-template <auto member>
-constexpr ParamRow unit_row() {
-  return choice_row<member>(
-      "unit", "auto|metre|foot|us_survey_foot|millimetre|centimetre", "las,ply,text,dxf",
-      "Length unit of the coordinates of a cloud's file or of a drawing, which become metres; "
-      "auto: that of the CRS of a LAS file, of a drawing's header, else metres");
-}
-template <auto member>
-constexpr ParamRow box_row() {
-  return doubles_row<member>(
-      "box", -1e15, 1e15, "m", "",
-      "Read a cloud's points in this closed box alone: least x, y, z, then greatest. Of a COPC "
-      "file only the nodes that it touches are read. Empty: all points");
-}
-template <auto member>
-constexpr ParamRow spacing_m_row() {
-  return number_row<member>(
-      "spacing_m", 0, 1e9, "m", "copc",
-      "Read a COPC file's octree down to the level whose points stand no wider apart than this; "
-      "0: all points");
-}
-template <auto member>
-constexpr ParamRow written_format_row() {
-  return choice_row<member>("format", kWriteChoices.bytes.data(), "",
-                            "Format of the file; auto takes it from the extension");
-}
-template <auto member>
-constexpr ParamRow las_version_row() {
-  return choice_row<member>("las_version", "auto|1.2|1.4", "las,laz",
-                            "auto: that of the file it came from, 1.2 where it holds all fields");
-}
-template <auto member>
-constexpr ParamRow scale_row() {
-  return number_row<member>(
-      "scale", 0, 1000, "m", "las,laz,copc,e57",
-      "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m; of E57: "
-      "whole doubles");
-}
-template <auto member>
-constexpr ParamRow ply_format_row() {
-  return choice_row<member>("ply_format", "binary|binary_big_endian|ascii", "ply",
-                            "binary is little-endian");
-}
-template <auto member>
-constexpr ParamRow decimals_row() {
-  return integer_row<member>(
-      "decimals", -1, 17, "", "text",
-      "Decimals of the coordinates; -1: as many as give the same number back");
-}
+// What clouds have of "read" and "write" is said here once, for "convert" too.
+constexpr auto kTextRows = setting_rows(
+    string_row<&ReadSettings::columns>(
+        "columns", "text",
+        "Columns of a text file, e.g. \"x y z intensity\" or \"x y z i r g b nx ny nz\"; - "
+        "or _ skips one. Empty: from the header, or "
+        "guessed"),
+    bool_row<&ReadSettings::drop_invalid>(
+        "drop_invalid", "",
+        "Drop points whose coordinates are not finite instead of refusing the file"));
+constexpr auto kPlaceRows = setting_rows(
+    choice_row<&ReadSettings::unit>(
+        "unit", "auto|metre|foot|us_survey_foot|millimetre|centimetre", "las,ply,text,dxf",
+        "Length unit of the coordinates of a cloud's file or of a drawing, which become metres; "
+        "auto: that of the CRS of a LAS file, of a drawing's header, else metres"),
+    doubles_row<&ReadSettings::box>(
+        "box", -1e15, 1e15, "m", "",
+        "Read a cloud's points in this closed box alone: least x, y, z, then greatest. Of a COPC "
+        "file only the nodes that it touches are read. Empty: all points"),
+    number_row<&ReadSettings::spacing_m>(
+        "spacing_m", 0, 1e9, "m", "copc",
+        "Read a COPC file's octree down to the level whose points stand no wider apart than this; "
+        "0: all points"));
 
 constexpr auto kReadRows = setting_rows(
     choice_row<&ReadSettings::format>(
         "format", kReadChoices.bytes.data(), "",
         "Format of the file; auto looks at its content, then its extension"),
-    columns_row<&ReadSettings::columns>(), drop_invalid_row<&ReadSettings::drop_invalid>(),
+    kTextRows,
     choice_row<&ReadSettings::polygons>(
         "polygons", "auto|faces|mesh", "obj,dxf",
         "What the polygons of a file become: auto: faces with openings where the file tells them, "
         "as our own do, else the triangles of a mesh; faces: a face each"),
-    unit_row<&ReadSettings::unit>(), box_row<&ReadSettings::box>(),
-    spacing_m_row<&ReadSettings::spacing_m>());
+    kPlaceRows);
+
+constexpr auto kWriteCloudRows = setting_rows(
+    choice_row<&WriteSettings::format>("format", kWriteChoices.bytes.data(), "",
+                                       "Format of the file; auto takes it from the extension"),
+    choice_row<&WriteSettings::las_version>(
+        "las_version", "auto|1.2|1.4", "las,laz",
+        "auto: that of the file it came from, 1.2 where it holds all fields"),
+    number_row<&WriteSettings::scale>(
+        "scale", 0, 1000, "m", "las,laz,copc,e57",
+        "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m; of E57: "
+        "whole doubles"),
+    choice_row<&WriteSettings::ply_format>("ply_format", "binary|binary_big_endian|ascii", "ply",
+                                           "binary is little-endian"),
+    integer_row<&WriteSettings::decimals>(
+        "decimals", -1, 17, "", "text",
+        "Decimals of the coordinates; -1: as many as give the same number back"));
 
 constexpr auto kWriteRows = setting_rows(
-    written_format_row<&WriteSettings::format>(), las_version_row<&WriteSettings::las_version>(),
-    scale_row<&WriteSettings::scale>(), ply_format_row<&WriteSettings::ply_format>(),
-    decimals_row<&WriteSettings::decimals>(),
+    kWriteCloudRows,
     number_row<&WriteSettings::chord_error_m>(
         "chord_error_m", 1e-6, 10, "m", "obj,ply,stl,cityjson,geojson,dxf,glb,ifc,gpkg",
         "Largest distance of the chords that stand for an arc, where a format knows no arcs"),
@@ -185,15 +157,14 @@ constexpr auto kWriteRows = setting_rows(
         "gpkg_plan_height_m", 0, 1000, "m", "gpkg",
         "Height above the foot of each facade at which the lines of the plan cut it"));
 
-constexpr auto kConvertRows = setting_rows(
-    choice_row<&ConvertSettings::read_format>(
-        "read_format", kReadChoices.bytes.data(), "",
-        "Format of the file read; auto looks at its content, then its extension"),
-    columns_row<&ConvertSettings::columns>(), drop_invalid_row<&ConvertSettings::drop_invalid>(),
-    unit_row<&ConvertSettings::unit>(), box_row<&ConvertSettings::box>(),
-    spacing_m_row<&ConvertSettings::spacing_m>(), written_format_row<&ConvertSettings::format>(),
-    las_version_row<&ConvertSettings::las_version>(), scale_row<&ConvertSettings::scale>(),
-    ply_format_row<&ConvertSettings::ply_format>(), decimals_row<&ConvertSettings::decimals>());
+constexpr auto kReadCloudRows =
+    setting_rows(choice_row<&ReadSettings::format>(
+                     "read_format", kReadChoices.bytes.data(), "",
+                     "Format of the file read; auto looks at its content, then its extension"),
+                 kTextRows, kPlaceRows);
+constexpr auto kConvertRows =
+    setting_rows(nested_rows<&ConvertSettings::reading, kReadCloudRows>(),
+                 nested_rows<&ConvertSettings::writing, kWriteCloudRows>());
 
 }  // namespace
 

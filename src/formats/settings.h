@@ -54,30 +54,8 @@ struct WriteSettings {
 
 /// The options of the operation "convert": those of "read" and "write" that clouds have.
 struct ConvertSettings {
-  std::string read_format = "auto";
-  std::string columns;
-  bool drop_invalid = false;
-  FileUnit unit = FileUnit::kAuto;
-  std::vector<double> box{};
-  double spacing_m = 0;
-  std::string format = "auto";  ///< written
-  LasVersion las_version = LasVersion::kAuto;
-  double scale = 0;
-  PlyForm ply_format = PlyForm::kLittleEndian;
-  int decimals = -1;
-
-  ReadSettings reading() const {
-    ReadSettings out;
-    out.format = read_format, out.columns = columns, out.drop_invalid = drop_invalid;
-    out.unit = unit, out.box = box, out.spacing_m = spacing_m;
-    return out;
-  }
-  WriteSettings writing() const {
-    WriteSettings out;
-    out.format = format, out.las_version = las_version, out.scale = scale;
-    out.ply_format = ply_format, out.decimals = decimals;
-    return out;
-  }
+  ReadSettings reading;
+  WriteSettings writing;
 };
 
 }  // namespace jalon

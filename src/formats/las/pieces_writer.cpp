@@ -65,7 +65,7 @@ class LasSink : public CloudSink {
   }
 
   bool put(const Cloud& piece, Task& task) override {
-    if (!piece.stations.empty()) return false;
+    if (!piece.stations.empty() || leaves_records_out(piece)) return false;
     Plan plan = make_plan(piece, path_, settings_, task);
     if (!file_) start(plan);
     else if (!are_same_plans(settled_, plan)) return false;
@@ -91,6 +91,13 @@ class LasSink : public CloudSink {
   }
 
  private:
+  // Which the plan of each piece would say again.
+  bool leaves_records_out(const Cloud& piece) const {
+    return settings_.las_version == LasVersion::k12 && piece.attachments != nullptr &&
+           std::ranges::any_of(*piece.attachments,
+                               [](const Attachment& a) { return a.key == "las:evlr"; });
+  }
+
   // Header and records stand before the points, the first as long as it will be.
   void start(const Plan& plan) {
     settled_ = plan;

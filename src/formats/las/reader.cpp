@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -214,14 +215,26 @@ LazPoints packed_points(const ByteSource& source, const Header& header,
           copc_chunks(source, header, *info, part_of(*info, unit, settings), task)};
 }
 
-/// A file, opened: what stands before and behind its points, and any run of these as a cloud.
-struct LasReading {
-  LasReading(const ByteSource& file, const ReadSettings& settings, Task& task)
-      : source(file),
-        header(read_header(source)),
+/// What stands before and behind the points of a file.
+struct LasFrame {
+  LasFrame(const ByteSource& source, Task& task)
+      : header(read_header(source)),
         vlrs(read_vlrs(source, header, task)),
-        evlrs(read_evlrs(source, header, task)),
-        crs(crs_text(vlrs, evlrs)) {
+        evlrs(read_evlrs(source, header, task)) {}
+
+  bool tells_stations() const {
+    return std::ranges::any_of(vlrs, is_station_record) ||
+           std::ranges::any_of(evlrs, is_station_record);
+  }
+
+  Header header;
+  std::vector<Record> vlrs, evlrs;
+};
+
+/// A file, opened: its frame, and any run of its points as a cloud.
+struct LasReading : LasFrame {
+  LasReading(const ByteSource& file, LasFrame frame, const ReadSettings& settings, Task& task)
+      : LasFrame(std::move(frame)), source(file), crs(crs_text(vlrs, evlrs)) {
     const LengthUnits units = units_to_use(vlrs, evlrs, source, settings.unit, task);
     unit = {units.horizontal, units.horizontal, units.vertical};
     if (header.compressed) {
@@ -272,8 +285,6 @@ struct LasReading {
   }
 
   const ByteSource& source;
-  const Header header;
-  std::vector<Record> vlrs, evlrs;
   const std::string crs;
   Vec3 unit;  ///< metres
   std::optional<LazPoints> laz;
@@ -333,7 +344,7 @@ bool is_copc(const ByteSource& source) {
 }
 
 Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task) {
-  LasReading file(source, settings, task);
+  LasReading file(source, LasFrame(source, task), settings, task);
   Cloud cloud = file.points(file.whole(), task);
   cloud = with_stations(std::move(cloud), file.vlrs, file.evlrs, file.unit, source.path(), task);
   cloud.attachments = attachments_of(file.header, std::move(file.vlrs), std::move(file.evlrs));
@@ -342,10 +353,9 @@ Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& tas
 
 std::unique_ptr<CloudPieces> las_pieces(const ByteSource& source, const ReadSettings& settings,
                                         Task& task) {
-  auto file = std::make_unique<LasReading>(source, settings, task);
-  for (const auto* records : {&file->vlrs, &file->evlrs})
-    for (const Record& record : *records)
-      if (is_station_record(record)) return nullptr;
+  LasFrame frame(source, task);
+  if (frame.tells_stations()) return nullptr;
+  auto file = std::make_unique<LasReading>(source, std::move(frame), settings, task);
   return std::make_unique<LasPieces>(std::move(file), source, settings.drop_invalid);
 }
 

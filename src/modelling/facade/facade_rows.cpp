@@ -92,21 +92,22 @@ constexpr auto kOpeningRows = setting_rows(nested_rows<&PlanSetting::group, kDoo
                                            nested_rows<&PlanSetting::classes, kClassRows>(),
                                            nested_rows<&PlanSetting::fill, kFillRows>());
 
-constexpr auto kExtrusionRows = setting_rows(
-    nested_rows<&ExtrusionSettings::plan, kEvidenceRows>(),
-    nested_rows<&ExtrusionSettings::vectorise, kVectoriseRows>(),
-    nested_rows<&ExtrusionSettings::plan, kWallRows>(),
-    nested_rows<&ExtrusionSettings::joints, kJointRows>(),
-    nested_rows<&ExtrusionSettings::plan, kOpeningRows>(),
-    number_row<&ExtrusionSettings::thickness_m>(
-        "thickness_m", 0, 100, "m", "",
-        "Thickness (full) of walls that become solids; 0 = the median depth of the facade's "
-        "openings"));
+constexpr auto kThicknessRows = setting_rows(number_row<&ExtrusionSettings::thickness_m>(
+    "thickness_m", 0, 100, "m", "",
+    "Thickness (full) of walls that become solids; 0 = the median depth of the facade's "
+    "openings"));
+constexpr auto kSolidsRows = setting_rows(bool_row<&FacadeSettings::solids>(
+    "solids", "", "Walls with thickness_m as closed solids; arcs become chords within 1 mm"));
 
-constexpr auto kFacadeRows = setting_rows(
-    nested_rows<&FacadeSettings::walls, kExtrusionRows>(),
-    bool_row<&FacadeSettings::solids>(
-        "solids", "", "Walls with thickness_m as closed solids; arcs become chords within 1 mm"));
+constexpr auto kExtrusionRows =
+    setting_rows(nested_rows<&ExtrusionSettings::plan, kEvidenceRows>(),
+                 nested_rows<&ExtrusionSettings::vectorise, kVectoriseRows>(),
+                 nested_rows<&ExtrusionSettings::plan, kWallRows>(),
+                 nested_rows<&ExtrusionSettings::joints, kJointRows>(),
+                 nested_rows<&ExtrusionSettings::plan, kOpeningRows>(), kThicknessRows);
+
+constexpr auto kFacadeRows =
+    setting_rows(nested_rows<&FacadeSettings::walls, kExtrusionRows>(), kSolidsRows);
 
 constexpr auto kCellSearchRows = setting_rows(
     number_row<&OpeningSearch::edge_length_m>(
@@ -123,15 +124,9 @@ constexpr auto kCellPlanRows = setting_rows(
 constexpr auto kCellWallRows =
     setting_rows(nested_rows<&ExtrusionSettings::plan, kCellPlanRows>(),
                  nested_rows<&ExtrusionSettings::vectorise, kVectoriseRows>(),
-                 nested_rows<&ExtrusionSettings::joints, kJointRows>(),
-                 number_row<&ExtrusionSettings::thickness_m>(
-                     "thickness_m", 0, 100, "m", "",
-                     "Thickness (full) of walls that become solids; 0 = the median depth of the "
-                     "facade's openings"));
-constexpr auto kCellRows = setting_rows(
-    nested_rows<&FacadeSettings::walls, kCellWallRows>(),
-    bool_row<&FacadeSettings::solids>(
-        "solids", "", "Walls with thickness_m as closed solids; arcs become chords within 1 mm"));
+                 nested_rows<&ExtrusionSettings::joints, kJointRows>(), kThicknessRows);
+constexpr auto kCellRows =
+    setting_rows(nested_rows<&FacadeSettings::walls, kCellWallRows>(), kSolidsRows);
 
 }  // namespace
 

@@ -20,8 +20,8 @@ uint64_t convert(const Folder& folder, const char* from, const char* to,
 void check_as_read_and_written(const Folder& folder, const char* from, const std::string& extension,
                                const ConvertSettings& settings = {}) {
   const std::string streamed = "streamed." + extension, whole = "whole." + extension;
-  const Cloud cloud = read(folder.file(from), settings.reading());
-  write(cloud, folder.file(whole), settings.writing());
+  const Cloud cloud = read(folder.file(from), settings.reading);
+  write(cloud, folder.file(whole), settings.writing);
   CHECK(convert(folder, from, streamed.c_str(), settings) == cloud.size());
   CHECK(slurp(folder.file(streamed)) == slurp(folder.file(whole)));
 }
@@ -52,12 +52,12 @@ TEST_CASE("convert__of_several_pieces_gives_the_bytes_of_the_whole") {
   write(random_points((size_t{1} << 20) + 1000, 8), folder.file("large.las"));
   check_as_read_and_written(folder, "large.las", has_codecs() ? "laz" : "las");
   ConvertSettings box;  // a corner of the points: a part of each piece
-  box.box = {651975, 6860975, 75, 651990, 6861025, 125};
+  box.reading.box = {651975, 6860975, 75, 651990, 6861025, 125};
   check_as_read_and_written(folder, "large.las", "las", box);
-  box.box = {0, 0, 0, 1, 1, 1};
+  box.reading.box = {0, 0, 0, 1, 1, 1};
   check_as_read_and_written(folder, "large.las", "las", box);
   ConvertSettings steps;  // that the first piece cannot settle
-  steps.scale = 0.01;
+  steps.writing.scale = 0.01;
   check_as_read_and_written(folder, "large.las", "las", steps);
 }
 
