@@ -17,7 +17,7 @@ using namespace jalon::test;
 
 namespace {
 
-uint64_t runs() { return is_full() ? 20 : 3; }
+uint64_t runs() { return is_full() ? 20 : 1; }
 
 struct Before_After {
   TriangleScene before, after;

@@ -27,9 +27,9 @@ constexpr double kLargeAngle_deg = 0.05, kLargeShift_m = 0.002;
 constexpr double kOwnPointsFactor = 1.2;
 constexpr double kChiSquare99 = 11.345;               // 3 degrees of freedom
 constexpr double kLeastInside = 0.97;                 // over 20 seeds
-constexpr double kLeastInsideOfFew = 0.955;           // three standard errors less, for two seeds
+constexpr double kLeastInsideOfFew = 0.947;           // three standard errors less, for one seed
 constexpr double kLeastTdr = 0.97, kLeastTda = 0.94;  // of the thesis: over paired planes alone
-// Unmatched planes as 0: what the segmenter reaches today (0.912 and 0.961 of two seeds), less 0.01.
+// Unmatched planes as 0: what the segmenter reaches today (0.912 and 0.961 of seeds 1 and 2), less 0.01.
 constexpr double kLeastDetection = 0.90, kLeastAccuracy = 0.95;
 
 bool full() { return std::getenv("JALON_FULL") != nullptr; }
@@ -115,7 +115,7 @@ double own_points_angle_deg(const Cloud& cloud, uint32_t id, const Plane& truth)
 
 TEST_CASE("chain_insa__planes_lie_within_their_covariance_and_large_ones_within_2_mm") {
   const Insa insa;
-  const uint64_t seeds = full() ? 20 : 2;
+  const uint64_t seeds = full() ? 20 : 1;
   size_t cases = 0, inside = 0, large = 0, scraps = 0;
   double worst_deg = 0, worst_m = 0;
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
@@ -163,7 +163,7 @@ TEST_CASE("chain_insa__planes_lie_within_their_covariance_and_large_ones_within_
 TEST_CASE(
     "chain_insa__with_misfit_between_stations_detection_and_accuracy_are_those_of_the_thesis") {
   const Insa insa;
-  const uint64_t seeds = full() ? 20 : 2;
+  const uint64_t seeds = full() ? 20 : 1;
   double tdr = 0, tda = 0, detection = 0, accuracy = 0;
   for (uint64_t seed = 1; seed <= seeds; ++seed) {
     CAPTURE(seed);

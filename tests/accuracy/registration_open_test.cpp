@@ -31,7 +31,7 @@ Registration laid_from(const ScannedPair& pair, double shift_m, uint64_t seed) {
 TEST_CASE("registration_open__no_direction_is_open_in_which_starts_far_apart_come_to_one_pose") {
   int agreeing = 0, open = 0;
   for (const PairKind& kind : kReportedKinds) {
-    for (uint64_t seed = 201; seed < 201 + (is_full() ? 20u : 2u); ++seed) {
+    for (uint64_t seed = 201; seed < 201 + (is_full() ? 20u : 1u); ++seed) {
       const ScannedPair pair(kind, seed, kNoise_m);
       const Registration one = laid_from(pair, 0.05, seed),
                          other = laid_from(pair, 0.25, seed + 1000);
@@ -43,7 +43,7 @@ TEST_CASE("registration_open__no_direction_is_open_in_which_starts_far_apart_com
   }
   MESSAGE("FIGURE icp, noise 10 mm: of " << agreeing << " pairs that two starts agree on, " << open
                                          << " said to be open");
-  CHECK(agreeing >= 8);
+  CHECK(agreeing >= (is_full() ? 80 : 4));
   // Else fewer than 97 % of the right poses could be accepted; of few draws up to three deviations more by chance.
   CHECK(open <= 0.03 * agreeing + 3 * std::sqrt(0.03 * 0.97 * agreeing));
 }

@@ -47,9 +47,9 @@ void check_kind(const PairKind& kind, uint64_t seeds, double noise_m) {
 }  // namespace
 
 TEST_CASE("registration_pairs__kinds_developed_with_are_laid_on_each_other_within_the_noise") {
-  for (const PairKind& kind : kDevelopedKinds) check_kind(kind, is_full() ? 20 : 2, 0.004);
+  for (const PairKind& kind : kDevelopedKinds) check_kind(kind, is_full() ? 20 : 1, 0.004);
 }
 
 TEST_CASE("registration_pairs__kinds_kept_for_the_report_are_too") {
-  for (const PairKind& kind : kReportedKinds) check_kind(kind, is_full() ? 20 : 2, 0.004);
+  for (const PairKind& kind : kReportedKinds) check_kind(kind, is_full() ? 20 : 1, 0.004);
 }

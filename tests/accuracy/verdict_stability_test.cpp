@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The verdict of the same two scans when their points are jittered, rounded, shuffled, halved, turned or moved to a
-// national grid: a right pair and a wrong one of each kind to report. Each change meets every third kind; all kinds in
-// the long run.
+// national grid: a right pair and a wrong one of each kind to report. Each change meets every third kind, there the right
+// pair or the wrong one; all kinds and both in the long run.
 #include <doctest/doctest.h>
 
 #include <functional>
@@ -135,9 +135,11 @@ TEST_CASE(
       if (!is_full() && c % kTurns != turn % kTurns) continue;
       const Change& change = kChanges[c];
       CAPTURE(std::string(change.name));
-      CHECK(change.make(right).verdict() == Verdict::kAccepted);
-      CHECK(change.make(wrong).verdict() != Verdict::kAccepted);
-      checked += 2;
+      const bool is_rights_turn = (c / kTurns + turn) % 2 == 0;
+      if (is_full() || is_rights_turn)
+        CHECK(change.make(right).verdict() == Verdict::kAccepted), ++checked;
+      if (is_full() || !is_rights_turn)
+        CHECK(change.make(wrong).verdict() != Verdict::kAccepted), ++checked;
     }
   }
   MESSAGE("FIGURE verdict, changes of the points looked at: " << checked);
