@@ -8,4 +8,5 @@ failed=0
 python3 "$here/check.py" "$1" || failed=1
 python3 "$here/parameters.py" "$1" || failed=1
 python3 "$here/mutants.py" || failed=1
+python3 "$here/released.py" "$1" || failed=1
 exit $failed

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // The verdict of the same two scans when their points are jittered, rounded, shuffled, halved, turned or moved to a
-// national grid: a right pair and a wrong one of each kind to report. Each change meets every third kind, there the right
-// pair or the wrong one; all kinds and both in the long run.
+// national grid: a right pair and a wrong one of each kind to report. Each change meets every third kind, there
+// the right pair or the wrong one; all kinds and both in the long run.
 #include <doctest/doctest.h>
 
 #include <functional>
