@@ -126,9 +126,10 @@ def places(model, file):
     if file.by_type("IfcMapConversion"):
         low = ifcopenshell.util.geolocation.auto_xyz2enh(file, *low)
         high = ifcopenshell.util.geolocation.auto_xyz2enh(file, *high)
-    drawn = numpy.concatenate([r.points for f in model.faces for r in f.rings])
+    drawn = numpy.concatenate([r.outline for f in model.faces for r in f.rings])
+    tolerance_m = PLACE_M + (CHORD_ERROR_M if model.arc_count else 0)
     for found, wanted in ((low, drawn.min(axis=0)), (high, drawn.max(axis=0))):
-        if max(abs(a - b) for a, b in zip(found, wanted)) > PLACE_M:
+        if max(abs(a - b) for a, b in zip(found, wanted)) > tolerance_m:
             yield "the box ends at %s instead of %s" % (found, wanted)
 
 

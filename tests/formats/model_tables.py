@@ -25,6 +25,17 @@ def bulge_area(points, bulges):
     return area
 
 
+def along_arc(start, end, bulge, normal, pieces=64):
+    """Points between the ends of an arc that turns about the normal; it lies right of its chord where the bulge is positive."""
+    middle, chord = (start + end) / 2, end - start
+    right = numpy.cross(chord, normal) / 2  # as long as half the chord
+    centre = middle - right * (1 - bulge**2) / (2 * bulge)
+    outwards = middle + right * bulge - centre
+    along = chord / numpy.linalg.norm(chord) * numpy.linalg.norm(outwards)
+    angles = 4 * numpy.arctan(abs(bulge)) * (numpy.arange(1, pieces) / pieces - 0.5)
+    return centre + numpy.outer(numpy.cos(angles), outwards) + numpy.outer(numpy.sin(angles), along)
+
+
 class Ring:
     def __init__(self, index, points, sagittas, part, normal):
         self.index, self.points, self.part = index, points, part
@@ -40,6 +51,8 @@ class Ring:
         self.length = sum(lengths)
         self.arc_length = sum(l for l, b in zip(lengths, self.bulges) if b)
         self.reach = max((abs(s) for s in sagittas), default=0)
+        arcs = [along_arc(points[k], points[(k + 1) % len(points)], b, normal) for k, b in enumerate(self.bulges) if b]
+        self.outline = numpy.concatenate([points] + arcs)
 
 
 class Face:
