@@ -123,6 +123,7 @@ def full_suites():
         script("bindings_from_source", "tests/bindings/from_source.sh", ["bindings", "examples/all", "jalon_cli"], full=True,
                packages=["maven"]),
         script("bindings_asan", "tests/bindings/python_asan.sh", ["bindings"], full=True),
+        script("cppcheck", "tests/style/cppcheck.sh", [], [], full=True, packages=["cppcheck"]),
         script("clang", "tests/install/clang.sh", ["bits"], full=True, packages=["clang-14", "clang-19"]),
         script("fuzz", "tests/fuzz/fuzz.sh", [], ["300"], full=True, packages=["clang-14"]),
         script("reproducible", "tests/install/reproducible.sh", ["jalon", "jalon_cli"], full=True),
