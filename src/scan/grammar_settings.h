@@ -6,7 +6,7 @@
 
 namespace jalon {
 
-/// Kinds of facades of the scene "grammar"; kAny: one of them by the seed.
+/// Kinds of facades of the scene "grammar".
 enum class FacadeKind {
   kAny,
   kTownHouse,
@@ -20,9 +20,16 @@ enum class FacadeKind {
   kChurch,
   kFactory,
   kTerrace,
-  kMansard
+  kMansard,
+  kTimbered,
+  kVilla,
+  kSchool,
+  kSheds,
+  kNave
 };
-constexpr int kFacadeKinds = 12;
+constexpr int kFacadeKinds = 17;
+/// kAny draws among these first ones: a seed keeps its facade when a kind is added.
+constexpr int kDrawnKinds = 12;
 /// As the parameter "kind" has it.
 const char* name_of(FacadeKind kind);
 
@@ -43,14 +50,17 @@ inline constexpr auto kGrammarRows = setting_rows(
     choice_row<&GrammarSettings::kind>(
         "kind",
         "any|town_house|apartments|shops|arcade|offices|gabled|wings|loggias|church|factory|"
-        "terrace|mansard",
+        "terrace|mansard|timbered|villa|school|sheds|nave",
         "grammar",
-        "kind of facade: any: one of the others by the seed; town_house: surrounds, shutters, "
+        "kind of facade: any: one of the next twelve by the seed; town_house: surrounds, shutters, "
         "balconies; apartments: balconies and blinds; shops: shop fronts, signs, canopies; arcade: "
         "arches on the ground; offices: mullions and panels; gabled: a gable with sloping and "
         "triangular windows; wings: set-backs and a pediment; loggias: recesses and a gateway; "
         "church: pointed and round windows; factory: bands of windows, large gates; terrace: "
-        "narrow houses some centimetres apart; mansard: arched windows, a long balcony, dormers"),
+        "narrow houses some centimetres apart; mansard: arched windows, a long balcony, dormers; "
+        "timbered: storeys that stand out, timbers, uneven bays; villa: a gabled part, a bay "
+        "window, shutters; school: ribbons of windows, sun screens, a stair; sheds: a saw-tooth "
+        "roof, high strips of windows; nave: lancets between buttresses"),
     number_row<&GrammarSettings::front_m>("front_m", 0, 60, "m", "grammar",
                                           "length of the front; 0: by the seed"),
     integer_row<&GrammarSettings::floors>("floors", 0, 12, "1", "grammar",

@@ -17,9 +17,10 @@ constexpr uint64_t kPlanStream =
 constexpr double kLeastRoom_m = 2;
 
 using Recipe = void (*)(Sketch&);
-constexpr Recipe kRecipes[] = {plan_town_house, plan_apartments, plan_shops,   plan_arcade,
-                               plan_offices,    plan_gabled,     plan_wings,   plan_loggias,
-                               plan_church,     plan_factory,    plan_terrace, plan_mansard};
+constexpr Recipe kRecipes[] = {
+    plan_town_house, plan_apartments, plan_shops,  plan_arcade,  plan_offices, plan_gabled,
+    plan_wings,      plan_loggias,    plan_church, plan_factory, plan_terrace, plan_mansard,
+    plan_timbered,   plan_villa,      plan_school, plan_sheds,   plan_nave};
 static_assert(std::size(kRecipes) == kFacadeKinds);
 
 }  // namespace
@@ -35,7 +36,7 @@ Plan plan_facade(const GrammarSettings& settings, uint64_t seed) {
     fail(Status::kInvalidArgument, "front_m: a facade of the grammar is at least 4 m long");
   Dice dice(seed, kPlanStream);
   Plan plan;
-  const int drawn = dice.count(1, kFacadeKinds);
+  const int drawn = dice.count(1, kDrawnKinds);
   plan.kind = settings.kind == FacadeKind::kAny ? static_cast<FacadeKind>(drawn) : settings.kind;
   plan.has_gaps = decided(settings.gaps, dice.chance(0.6));
   plan.rooms_to_m = dice.between(2, 5);

@@ -208,6 +208,15 @@ bool Sketch::pad(size_t wall, const char* part_class, const Rect& rect, double l
   return add_pad(at(wall), {part_class, jalon::contour_of(rect), {}, low_m, high_m});
 }
 
+bool Sketch::brace(size_t wall, const Vec2& foot, const Vec2& head, double width_m,
+                   double proud_m) {
+  const double w = width_m;
+  if (head.u - foot.u < 2 * w || head.v - foot.v < 2 * w) return false;
+  return add_pad(
+      at(wall),
+      {"timber", {{foot}, {{foot.u + w, foot.v}}, {head}, {{head.u - w, head.v}}}, {}, 0, proud_m});
+}
+
 void Sketch::trim(PlannedWall& wall, const PlannedOpening& o) {
   const Rect box = bounds_of(contour_of(o.shape));
   if (o.surround_m > 0) {
@@ -231,10 +240,12 @@ void Sketch::trim(PlannedWall& wall, const PlannedOpening& o) {
 }
 
 void Sketch::finish() {
-  for (PlannedWall& wall : plan_.walls) {
-    const std::vector<PlannedOpening> openings = wall.openings;
-    for (const PlannedOpening& o : openings) trim(wall, o);
-  }
+  for (size_t wall = 0; wall < plan_.walls.size(); ++wall) finish(wall);
+}
+
+void Sketch::finish(size_t wall) {
+  const std::vector<PlannedOpening> openings = at(wall).openings;
+  for (const PlannedOpening& o : openings) trim(at(wall), o);
 }
 
 std::vector<double> Sketch::axes(double u0, double u1, int count) const {

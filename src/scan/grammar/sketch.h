@@ -57,6 +57,8 @@ class Sketch {
   size_t recess(size_t wall, const Rect& rect, double depth_m, int storey);
 
   bool pad(size_t wall, const char* part_class, const Rect& rect, double low_m, double high_m);
+  /// A beam from one corner of a panel to the other, below left to above right.
+  bool brace(size_t wall, const Vec2& foot, const Vec2& head, double width_m, double proud_m);
   /// A long band, in pieces between the openings.
   void band(size_t wall, const char* part_class, double v0, double v1, double proud_m);
   void plinth(size_t wall);
@@ -75,6 +77,7 @@ class Sketch {
   void joint(double u, double from_y_m, double to_y_m, double top_v);
   /// What goes with the openings, once all are there: surrounds, sills, shutters.
   void finish();
+  void finish(size_t wall);
 
   std::vector<double> axes(double u0, double u1, int count) const;
   /// As many axes as there is room for, one every so many metres.
@@ -105,5 +108,10 @@ void plan_church(Sketch& sketch);
 void plan_factory(Sketch& sketch);
 void plan_terrace(Sketch& sketch);
 void plan_mansard(Sketch& sketch);
+void plan_timbered(Sketch& sketch);
+void plan_villa(Sketch& sketch);
+void plan_school(Sketch& sketch);
+void plan_sheds(Sketch& sketch);
+void plan_nave(Sketch& sketch);
 
 }  // namespace jalon::grammar
