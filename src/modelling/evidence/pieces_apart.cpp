@@ -7,6 +7,7 @@
 
 #include "modelling/evidence/coplanar.h"
 #include "modelling/evidence/plane_roles.h"
+#include "modelling/plane/ring_tools.h"
 #include "segment/labels/label_groups.h"
 
 namespace jalon {
@@ -15,14 +16,18 @@ namespace {
 
 constexpr double kPiecesSameWay = 0.985;  // cosine of 10 degrees
 constexpr size_t kPiecePoints = 400;      // looked at, of a piece
+constexpr double kBesidePiece_m = 0.5;    // what a surround, a sill, a quoin touches lies this near
+constexpr double kReliefPieceShare = 0.6;  // of its points, before the wall and beside it
 
-// Whether most of a piece's points lie in openings of walls that explain more than what it is a piece of.
-bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points,
+// A house that stands forward passes for relief of the next one where pieces of that lie in its windows.
+bool is_outer(PlaneRole role) { return role == PlaneRole::kWall || role == PlaneRole::kRelief; }
+
+// Whether most of a piece's points lie in openings of walls that explain more than the piece does.
+bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, double explained,
                       const WallEvidence& whole, const std::vector<WallEvidence>& evidence) {
   std::vector<const WallEvidence*> walls;
-  const double explained = explained_m2(whole);
   for (const WallEvidence& wall : evidence)
-    if (&wall != &whole && wall.is_wall() && explained_m2(wall) > explained &&
+    if (&wall != &whole && !wall.empty() && is_outer(wall.role) && explained_m2(wall) > explained &&
         dot(wall.cells.frame.normal, whole.cells.frame.normal) >= kPiecesSameWay)
       walls.push_back(&wall);
   const size_t step = std::max<size_t>(1, points.size() / kPiecePoints);
@@ -32,6 +37,80 @@ bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points,
       return is_filling_at(*wall, cloud.point(points[i]));
     });
   return looked > 0 && static_cast<double>(inside) >= kFillingShare * static_cast<double>(looked);
+}
+
+// Whether the wall was measured this near to a place before or behind it.
+bool is_measured_near(const WallCells& cells, const Vec2& at) {
+  const auto line = [&](double from, double origin, uint32_t most) {
+    return static_cast<uint32_t>(
+        std::clamp((from - origin) / cells.cell_m, 0.0, static_cast<double>(most)));
+  };
+  const uint32_t c0 = line(at.u - kBesidePiece_m, cells.origin.u, cells.columns),
+                 c1 = line(at.u + kBesidePiece_m, cells.origin.u, cells.columns),
+                 r0 = line(at.v - kBesidePiece_m, cells.origin.v, cells.rows),
+                 r1 = line(at.v + kBesidePiece_m, cells.origin.v, cells.rows);
+  for (uint32_t r = r0; r < r1; ++r)
+    for (uint32_t c = c0; c < c1; ++c)
+      if (cells.at(c, r) == WallState::kOn) return true;
+  return false;
+}
+
+// Whether a piece lies a hand's breadth before a wall, most of it beside what was measured of that.
+bool is_relief_on(const Cloud& cloud, std::span<const uint32_t> points, const WallEvidence& wall,
+                  double relief_m) {
+  const PlaneFrame& frame = wall.cells.frame;
+  const double least = wall.cells.on_m / 2;
+  const size_t step = std::max<size_t>(1, points.size() / kPiecePoints);
+  size_t looked = 0, before = 0;
+  for (size_t i = step / 2; i < points.size(); i += step, ++looked) {
+    const Vec3 p = cloud.point(points[i]);
+    const double out = dot(p - frame.origin, frame.normal) - frame.height;
+    before += out > least && out <= relief_m && is_measured_near(wall.cells, frame.project(p));
+  }
+  return looked > 0 &&
+         static_cast<double>(before) >= kReliefPieceShare * static_cast<double>(looked);
+}
+
+// The box of points in a wall's plane, grown by what touches them.
+RingBox box_about(const Cloud& cloud, std::span<const uint32_t> points, const PlaneFrame& frame) {
+  RingBox box;
+  for (const uint32_t i : points) box.add(frame.project(cloud.point(i)));
+  return box.grown(kBesidePiece_m);
+}
+
+// Two explanations of a piece that lies in the plane of a house and before the one next door: what it touches tells.
+// By index of the pieces: those that stand on another wall, apart from all pieces that do not.
+std::vector<uint8_t> relief_pieces(const Segmentation& given, const LabelGroups& groups,
+                                   std::span<const size_t> pieces, const WallEvidence& whole,
+                                   const std::vector<WallEvidence>& evidence, double relief_m,
+                                   Task& task) {
+  const Cloud& cloud = *given.cloud;
+  std::vector<uint8_t> is_relief(pieces.size(), 0);
+  std::vector<RingBox> boxes;
+  for (size_t k = 0; k < pieces.size(); ++k) {
+    task.checkpoint(0);
+    const auto points = groups.of(given.segments[pieces[k]].label);
+    boxes.push_back(box_about(cloud, points, whole.cells.frame));
+    is_relief[k] = std::any_of(evidence.begin(), evidence.end(), [&](const WallEvidence& wall) {
+      return &wall != &whole && !wall.empty() && is_outer(wall.role) &&
+             dot(wall.cells.frame.normal, whole.cells.frame.normal) >= kPiecesSameWay &&
+             is_relief_on(cloud, points, wall, relief_m);
+    });
+  }
+  // A pier beside it that is no relief itself: the piece is of its wall.
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (size_t k = 0; k < pieces.size(); ++k)
+      for (size_t other = 0; other < pieces.size() && is_relief[k] != 0; ++other)
+        if (is_relief[other] == 0 && boxes[k].meets(boxes[other])) {
+          const auto points = groups.of(given.segments[pieces[other]].label);
+          const bool touches = std::any_of(points.begin(), points.end(), [&](uint32_t i) {
+            return boxes[k].holds(whole.cells.frame.project(cloud.point(i)));
+          });
+          if (touches) is_relief[k] = 0, is_changed = true;
+        }
+  }
+  return is_relief;
 }
 
 // The pieces become those of their largest.
@@ -46,23 +125,26 @@ void join_to_largest(const std::vector<Segment>& segments, std::span<const size_
 }  // namespace
 
 std::vector<uint32_t> pieces_apart(const Segmentation& given, const std::vector<uint32_t>& whole,
-                                   const std::vector<WallEvidence>& evidence, Task& task) {
+                                   const std::vector<WallEvidence>& evidence, double relief_m,
+                                   Task& task) {
   const LabelGroups groups(given.labels->values<uint32_t>(), given.segments.size(), task);
   std::vector<std::vector<size_t>> pieces(given.segments.size());
   for (size_t s = 0; s < whole.size(); ++s) pieces[whole[s] - 1].push_back(s);
   std::vector<uint32_t> out = whole;
   for (size_t w = 0; w < pieces.size(); ++w) {
     if (pieces[w].size() < 2 || evidence[w].empty()) continue;
-    std::vector<size_t> fillings, others;
-    for (const size_t s : pieces[w]) {
+    std::vector<size_t> fillings, reliefs, others;
+    const std::vector<uint8_t> is_relief =
+        relief_pieces(given, groups, pieces[w], evidence[w], evidence, relief_m, task);
+    for (size_t k = 0; k < pieces[w].size(); ++k) {
+      const size_t s = pieces[w][k];
       task.checkpoint(0);
-      const bool is_filling =
-          is_filling_piece(*given.cloud, groups.of(given.segments[s].label), evidence[w], evidence);
-      (is_filling ? fillings : others).push_back(s);
+      const bool is_filling = is_filling_piece(*given.cloud, groups.of(given.segments[s].label),
+                                               given.segments[s].area_m2, evidence[w], evidence);
+      (is_filling ? fillings : is_relief[k] != 0 ? reliefs : others).push_back(s);
     }
-    if (fillings.empty() || others.empty()) continue;
-    join_to_largest(given.segments, fillings, out);
-    join_to_largest(given.segments, others, out);
+    for (const auto* group : {&fillings, &reliefs, &others})
+      if (!group->empty()) join_to_largest(given.segments, *group, out);
   }
   return out;
 }
@@ -73,12 +155,17 @@ std::vector<WallEvidence> gather_whole_walls(Segmentation& segmentation, double 
   const std::vector<uint32_t> whole = whole_walls(given, tolerance_m, task);
   segmentation = joined_pieces(given, whole, task);
   std::vector<WallEvidence> out = gather_evidence(segmentation, setting, task);
-  const std::vector<uint32_t> apart = pieces_apart(given, whole, out, task);
+  const std::vector<uint32_t> apart = pieces_apart(given, whole, out, setting.cells.relief_m, task);
   if (apart == whole) return out;
   std::vector<size_t> changed;
   for (size_t s = 0; s < whole.size(); ++s)
     if (apart[s] != whole[s])
       changed.push_back(s), changed.push_back(whole[s] - 1), changed.push_back(apart[s] - 1);
+  // Surrounds that have come apart are no longer part of a wall: openings are settled again.
+  for (size_t s = 0; s < out.size(); ++s)
+    if (std::any_of(out[s].openings.begin(), out[s].openings.end(),
+                    [](const OpeningCandidate& opening) { return opening.is_settled; }))
+      changed.push_back(s);
   std::sort(changed.begin(), changed.end());
   changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
   segmentation = joined_pieces(given, apart, task);

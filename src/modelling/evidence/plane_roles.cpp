@@ -285,8 +285,13 @@ double explained_m2(const WallEvidence& plane) {
 
 bool is_filling_at(const WallEvidence& wall, const Vec3& p) {
   const Foot foot(wall.cells, p);
-  return foot.is_on_map && foot.depth_m > wall.cells.on_m / 2 && foot.depth_m <= kFillingDepth_m &&
-         is_in_opening(wall, foot.at, true);
+  if (!foot.is_on_map || foot.depth_m <= wall.cells.on_m / 2 || foot.depth_m > kFillingDepth_m)
+    return false;
+  // A cell with a point of the wall ends an opening: frames stand in its rim.
+  return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
+    return opening.is_opening && opening.framed >= kFramedShare &&
+           opening.shape.grown(wall.cells.cell_m).holds(foot.at);
+  });
 }
 
 void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task) {

@@ -16,6 +16,40 @@ using layers::kStep_m;
 namespace {
 
 constexpr double kLeaves_m = 0.22;  // of dormers, and of the leaves of the doors
+constexpr double kRelief_m = 0.1;
+
+void set_areas(Segmentation& out, const std::vector<std::vector<Vec3>>& parts) {
+  for (size_t s = 0; s < parts.size(); ++s)
+    out.segments[s].area_m2 = kStep_m * kStep_m * static_cast<double>(parts[s].size());
+}
+
+// Two houses, the second this far behind the first. Each has two windows; those of the second have surrounds, `proud`
+// before it, those of the first frames, `deep` behind it.
+Segmentation two_houses(double step_m, double proud_m, double deep_m) {
+  std::vector<std::vector<Vec3>> parts(2);
+  add_layer(parts[0], 0, 0, 6, 6, 0);
+  add_layer(parts[1], 6, 0, 6, 6, step_m);
+  for (const double u : {1.0, 3.5}) {
+    cut(parts[0], u, 2, 1.2, 1.6);
+    auto& frame = parts.emplace_back();
+    add_layer(frame, u, 2, 1.2, 1.6, deep_m);
+    cut(frame, u + 0.1, 2.1, 1.0, 1.4);
+  }
+  for (const double u : {7.0, 9.5}) {
+    cut(parts[1], u - 0.15, 1.85, 1.5, 1.9);
+    auto& surround = parts.emplace_back();
+    add_layer(surround, u - 0.15, 1.85, 1.5, 1.9, step_m - proud_m);
+    cut(surround, u, 2, 1.2, 1.6);
+  }
+  // Panes, of no segment's plane.
+  for (const double u : {1.0, 3.5, 7.0, 9.5}) {
+    auto& pane = parts.emplace_back();
+    add_layer(pane, u + 0.1, 2.1, 1.0, 1.4, 0.45);
+  }
+  Segmentation out = walls::segmentation_of(parts);
+  set_areas(out, parts);
+  return out;
+}
 
 // A wall with two doors, their leaves, and two dormers over it in the plane of the leaves.
 Segmentation mansard(bool has_dormers) {
@@ -30,12 +64,42 @@ Segmentation mansard(bool has_dormers) {
   std::vector<std::vector<Vec3>> parts{wall, first, second};
   if (has_dormers) parts.insert(parts.end(), {left, right});
   Segmentation out = walls::segmentation_of(parts);
-  for (size_t s = 0; s < parts.size(); ++s)
-    out.segments[s].area_m2 = kStep_m * kStep_m * static_cast<double>(parts[s].size());
+  set_areas(out, parts);
   return out;
 }
 
 }  // namespace
+
+TEST_CASE("pieces_apart__surrounds_in_the_plane_of_the_house_next_door_stay_with_their_own") {
+  const Segmentation given = two_houses(0.06, 0.06, 0.3);
+  Task task;
+  const std::vector<uint32_t> whole = whole_walls(given, 0.03, task);
+  CHECK(whole[4] == whole[0]);  // on one plane
+  CHECK(whole[5] == whole[0]);
+  Segmentation segmentation = given;
+  const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
+  std::vector<size_t> points(given.segments.size() + 1);
+  for (const uint32_t label : segmentation.labels->values<uint32_t>()) ++points[label];
+  CHECK(points[1] == given.segments[0].point_count());
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  CHECK(evidence[points[5] > 0 ? 4 : 5].role == PlaneRole::kRelief);
+}
+
+TEST_CASE("pieces_apart__frames_in_the_plane_of_the_house_next_door_stay_with_their_own") {
+  const Segmentation given = two_houses(0.08, 0.05, 0.08);
+  Task task;
+  const std::vector<uint32_t> whole = whole_walls(given, 0.03, task);
+  CHECK(whole[2] == whole[1]);  // on one plane
+  CHECK(whole[3] == whole[1]);
+  Segmentation segmentation = given;
+  const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
+  std::vector<size_t> points(given.segments.size() + 1);
+  for (const uint32_t label : segmentation.labels->values<uint32_t>()) ++points[label];
+  CHECK(points[2] == given.segments[1].point_count());
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+}
 
 TEST_CASE("pieces_apart__leaves_of_doors_leave_the_dormers_in_their_plane") {
   const Segmentation given = mansard(true);
@@ -61,5 +125,5 @@ TEST_CASE("pieces_apart__leaves_alone_stay_together") {
   const std::vector<uint32_t> whole = whole_walls(given, 0.03, task);
   const Segmentation joined = joined_pieces(given, whole, task);
   const auto evidence = gather_evidence(joined, {}, task);
-  CHECK(pieces_apart(given, whole, evidence, task) == whole);
+  CHECK(pieces_apart(given, whole, evidence, kRelief_m, task) == whole);
 }
