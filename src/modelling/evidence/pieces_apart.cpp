@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "modelling/evidence/coplanar.h"
 #include "modelling/evidence/plane_roles.h"
-#include "modelling/plane/ring_tools.h"
 #include "segment/labels/label_groups.h"
 
 namespace jalon {
@@ -18,9 +19,20 @@ constexpr double kPiecesSameWay = 0.985;  // cosine of 10 degrees
 constexpr size_t kPiecePoints = 400;      // looked at, of a piece
 constexpr double kBesidePiece_m = 0.5;    // what a surround, a sill, a quoin touches lies this near
 constexpr double kReliefPieceShare = 0.6;  // of its points, before the wall and beside it
+constexpr double kTouchingShare = 0.5;     // of its points, beside other pieces
+constexpr int kMostRounds = 3;  // a piece that comes apart may have hidden what another one is
 
 // A house that stands forward passes for relief of the next one where pieces of that lie in its windows.
 bool is_outer(PlaneRole role) { return role == PlaneRole::kWall || role == PlaneRole::kRelief; }
+
+// Of as many points of a piece as are looked at.
+template <class F>
+double share_of(std::span<const uint32_t> points, F&& holds) {
+  const size_t step = std::max<size_t>(1, points.size() / kPiecePoints);
+  size_t looked = 0, held = 0;
+  for (size_t i = step / 2; i < points.size(); i += step, ++looked) held += holds(points[i]);
+  return looked > 0 ? static_cast<double>(held) / static_cast<double>(looked) : 0;
+}
 
 // Whether most of a piece's points lie in openings of walls that explain more than the piece does.
 bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, double explained,
@@ -30,13 +42,11 @@ bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, doub
     if (&wall != &whole && !wall.empty() && is_outer(wall.role) && explained_m2(wall) > explained &&
         dot(wall.cells.frame.normal, whole.cells.frame.normal) >= kPiecesSameWay)
       walls.push_back(&wall);
-  const size_t step = std::max<size_t>(1, points.size() / kPiecePoints);
-  size_t looked = 0, inside = 0;
-  for (size_t i = step / 2; i < points.size() && !walls.empty(); i += step, ++looked)
-    inside += std::any_of(walls.begin(), walls.end(), [&](const WallEvidence* wall) {
-      return is_filling_at(*wall, cloud.point(points[i]));
-    });
-  return looked > 0 && static_cast<double>(inside) >= kFillingShare * static_cast<double>(looked);
+  return !walls.empty() && share_of(points, [&](uint32_t i) {
+                             return std::any_of(walls.begin(), walls.end(), [&](const auto* wall) {
+                               return is_filling_at(*wall, cloud.point(i));
+                             });
+                           }) >= kFillingShare;
 }
 
 // Whether the wall was measured this near to a place before or behind it.
@@ -60,23 +70,51 @@ bool is_relief_on(const Cloud& cloud, std::span<const uint32_t> points, const Wa
                   double relief_m) {
   const PlaneFrame& frame = wall.cells.frame;
   const double least = wall.cells.on_m / 2;
-  const size_t step = std::max<size_t>(1, points.size() / kPiecePoints);
-  size_t looked = 0, before = 0;
-  for (size_t i = step / 2; i < points.size(); i += step, ++looked) {
-    const Vec3 p = cloud.point(points[i]);
-    const double out = dot(p - frame.origin, frame.normal) - frame.height;
-    before += out > least && out <= relief_m && is_measured_near(wall.cells, frame.project(p));
-  }
-  return looked > 0 &&
-         static_cast<double>(before) >= kReliefPieceShare * static_cast<double>(looked);
+  return share_of(points, [&](uint32_t i) {
+           const Vec3 p = cloud.point(i);
+           const double out = dot(p - frame.origin, frame.normal) - frame.height;
+           return out > least && out <= relief_m && is_measured_near(wall.cells, frame.project(p));
+         }) >= kReliefPieceShare;
 }
 
-// The box of points in a wall's plane, grown by what touches them.
-RingBox box_about(const Cloud& cloud, std::span<const uint32_t> points, const PlaneFrame& frame) {
-  RingBox box;
-  for (const uint32_t i : points) box.add(frame.project(cloud.point(i)));
-  return box.grown(kBesidePiece_m);
-}
+// Where pieces of a wall were measured, coarsely: by squares of half of what touches.
+class Ground {
+ public:
+  explicit Ground(const WallCells& cells)
+      : cells_(cells),
+        columns_(count(cells.columns)),
+        rows_(count(cells.rows)),
+        has_(columns_ * rows_, 0) {}
+  void add(const Vec2& p) {
+    if (const auto at = square_of(p)) has_[at->second * columns_ + at->first] = 1;
+  }
+  bool is_near(const Vec2& p) const {
+    const auto at = square_of(p);
+    if (!at) return false;
+    const size_t c1 = std::min(columns_, at->first + kReach + 1),
+                 r1 = std::min(rows_, at->second + kReach + 1);
+    for (size_t r = at->second - std::min(at->second, kReach); r < r1; ++r)
+      for (size_t c = at->first - std::min(at->first, kReach); c < c1; ++c)
+        if (has_[r * columns_ + c] != 0) return true;
+    return false;
+  }
+
+ private:
+  static constexpr size_t kReach = 2;  // squares
+  static constexpr double kSquare_m = kBesidePiece_m / kReach;
+  size_t count(uint32_t n) const { return static_cast<size_t>(n * cells_.cell_m / kSquare_m) + 1; }
+  std::optional<std::pair<size_t, size_t>> square_of(const Vec2& p) const {
+    const double u = (p.u - cells_.origin.u) / kSquare_m, v = (p.v - cells_.origin.v) / kSquare_m;
+    if (!(u >= 0 && v >= 0)) return {};
+    const std::pair at{static_cast<size_t>(u), static_cast<size_t>(v)};
+    if (at.first >= columns_ || at.second >= rows_) return {};
+    return at;
+  }
+
+  const WallCells& cells_;
+  size_t columns_, rows_;
+  std::vector<uint8_t> has_;
+};
 
 // Two explanations of a piece that lies in the plane of a house and before the one next door: what it touches tells.
 // By index of the pieces: those that stand on another wall, apart from all pieces that do not.
@@ -85,30 +123,35 @@ std::vector<uint8_t> relief_pieces(const Segmentation& given, const LabelGroups&
                                    const std::vector<WallEvidence>& evidence, double relief_m,
                                    Task& task) {
   const Cloud& cloud = *given.cloud;
+  const auto points_of = [&](size_t k) { return groups.of(given.segments[pieces[k]].label); };
   std::vector<uint8_t> is_relief(pieces.size(), 0);
-  std::vector<RingBox> boxes;
   for (size_t k = 0; k < pieces.size(); ++k) {
     task.checkpoint(0);
-    const auto points = groups.of(given.segments[pieces[k]].label);
-    boxes.push_back(box_about(cloud, points, whole.cells.frame));
     is_relief[k] = std::any_of(evidence.begin(), evidence.end(), [&](const WallEvidence& wall) {
-      return &wall != &whole && !wall.empty() && is_outer(wall.role) &&
+      return &wall != &whole && wall.is_wall() &&
              dot(wall.cells.frame.normal, whole.cells.frame.normal) >= kPiecesSameWay &&
-             is_relief_on(cloud, points, wall, relief_m);
+             is_relief_on(cloud, points_of(k), wall, relief_m);
     });
   }
-  // A pier beside it that is no relief itself: the piece is of its wall.
+  // Beside a pier that is no relief itself a piece is of that wall.
+  Ground ground(whole.cells);
+  const auto add = [&](size_t k) {
+    for (const uint32_t i : points_of(k)) ground.add(whole.cells.frame.project(cloud.point(i)));
+  };
+  for (size_t k = 0; k < pieces.size(); ++k)
+    if (is_relief[k] == 0) add(k);
   for (bool is_changed = true; is_changed;) {
     is_changed = false;
-    for (size_t k = 0; k < pieces.size(); ++k)
-      for (size_t other = 0; other < pieces.size() && is_relief[k] != 0; ++other)
-        if (is_relief[other] == 0 && boxes[k].meets(boxes[other])) {
-          const auto points = groups.of(given.segments[pieces[other]].label);
-          const bool touches = std::any_of(points.begin(), points.end(), [&](uint32_t i) {
-            return boxes[k].holds(whole.cells.frame.project(cloud.point(i)));
-          });
-          if (touches) is_relief[k] = 0, is_changed = true;
-        }
+    for (size_t k = 0; k < pieces.size(); ++k) {
+      task.checkpoint(0);
+      if (is_relief[k] == 0 || share_of(points_of(k), [&](uint32_t i) {
+                                 return ground.is_near(whole.cells.frame.project(cloud.point(i)));
+                               }) < kTouchingShare)
+        continue;
+      is_relief[k] = 0;
+      is_changed = true;
+      add(k);
+    }
   }
   return is_relief;
 }
@@ -152,25 +195,29 @@ std::vector<uint32_t> pieces_apart(const Segmentation& given, const std::vector<
 std::vector<WallEvidence> gather_whole_walls(Segmentation& segmentation, double tolerance_m,
                                              const EvidenceSetting& setting, Task& task) {
   const Segmentation given = segmentation;
-  const std::vector<uint32_t> whole = whole_walls(given, tolerance_m, task);
+  std::vector<uint32_t> whole = whole_walls(given, tolerance_m, task);
   segmentation = joined_pieces(given, whole, task);
   std::vector<WallEvidence> out = gather_evidence(segmentation, setting, task);
-  const std::vector<uint32_t> apart = pieces_apart(given, whole, out, setting.cells.relief_m, task);
-  if (apart == whole) return out;
-  std::vector<size_t> changed;
-  for (size_t s = 0; s < whole.size(); ++s)
-    if (apart[s] != whole[s])
-      changed.push_back(s), changed.push_back(whole[s] - 1), changed.push_back(apart[s] - 1);
-  // Surrounds that have come apart are no longer part of a wall: openings are settled again.
-  for (size_t s = 0; s < out.size(); ++s)
-    if (std::any_of(out[s].openings.begin(), out[s].openings.end(),
-                    [](const OpeningCandidate& opening) { return opening.is_settled; }))
-      changed.push_back(s);
-  std::sort(changed.begin(), changed.end());
-  changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-  segmentation = joined_pieces(given, apart, task);
-  look_at_planes(segmentation, changed, setting, out, task);
-  tell_planes(segmentation, setting, out, task);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const std::vector<uint32_t> apart =
+        pieces_apart(given, whole, out, setting.cells.relief_m, task);
+    if (apart == whole) break;
+    std::vector<size_t> changed;
+    for (size_t s = 0; s < whole.size(); ++s)
+      if (apart[s] != whole[s])
+        changed.push_back(s), changed.push_back(whole[s] - 1), changed.push_back(apart[s] - 1);
+    // Surrounds that have come apart are no longer part of a wall: openings are settled again.
+    for (size_t s = 0; s < out.size(); ++s)
+      if (std::any_of(out[s].openings.begin(), out[s].openings.end(),
+                      [](const OpeningCandidate& opening) { return opening.is_settled; }))
+        changed.push_back(s);
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    whole = apart;
+    segmentation = joined_pieces(given, whole, task);
+    look_at_planes(segmentation, changed, setting, out, task);
+    tell_planes(segmentation, setting, out, task);
+  }
   return out;
 }
 
