@@ -26,6 +26,7 @@ constexpr double kPierShare = 0.8, kThinWallShare = 0.55;
 // wall itself is in one piece: a room's, seen through windows, is all islands.
 constexpr double kIsland_m2 = 0.5, kSeenAbout = 0.5, kMainShare = 0.5;
 
+constexpr double kPilaster_m = 2;   // parapets are no taller than 1.3 m
 constexpr double kFootReach_m = 4;  // half a wide gateway, a van's length
 
 WallState state_of(uint8_t marks) {
@@ -62,6 +63,23 @@ void keep_squares(const CellSums<int32_t>& on, uint32_t width, double share, con
       along += column[c];
       kept[static_cast<size_t>(r) * cells.columns + c] += along;
     }
+  }
+}
+
+// Step 1, pilasters.
+void tell_pilasters(std::span<const uint8_t> marks, WallCells& cells, Task& task) {
+  std::vector<uint32_t> proud;
+  for (size_t k = 0; k < marks.size(); ++k)
+    if (cells.states[k] == WallState::kProud && (marks[k] & kMarkParallel) != 0)
+      proud.push_back(static_cast<uint32_t>(k));
+  if (proud.empty()) return;
+  task.checkpoint(0);
+  CellRegions regions(cells.columns, cells.rows);
+  for (const std::vector<uint32_t>& region : regions.of(proud)) {
+    const auto [low, high] = std::minmax_element(region.begin(), region.end());
+    const uint32_t rows = *high / cells.columns - *low / cells.columns + 1;
+    if (rows * cells.cell_m < kPilaster_m) continue;
+    for (const uint32_t k : region) cells.states[k] = WallState::kRelief;
   }
 }
 
@@ -171,6 +189,7 @@ void classify_cells(std::span<const uint8_t> marks, WallCells& out, Task& task) 
   out.states.resize(marks.size());
   for (size_t k = 0; k < marks.size(); ++k) out.states[k] = state_of(marks[k]);
   if (marks.empty()) return;
+  tell_pilasters(marks, out, task);
   tell_strips(out, task);
   tell_islands(out, task);
   tell_outside(out);

@@ -79,7 +79,7 @@ void tell_planes(const Segmentation& segmentation, const EvidenceSetting& settin
   // 2. Loggias.
   tell_recesses(segmentation, out, task);
   // 3. Openings whose borders surrounds cover.
-  settle_openings(segmentation, setting.cells.relief_m, out, task);
+  settle_openings(segmentation, setting.cells, out, task);
 }
 
 std::vector<WallEvidence> gather_evidence(const Segmentation& segmentation,

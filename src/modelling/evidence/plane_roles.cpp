@@ -23,7 +23,9 @@ constexpr double kShopFrontShare =
     0.15;  // of the area behind an arcade: a room's wall has no shop fronts
 constexpr double kBroad_m = 0.6, kBroadShare = 0.7;  // less than a pier between two windows
 constexpr double kTall_m = 2, kTallShare = 0.5;      // parapets are no taller than 1.3 m
-constexpr double kCornice_m = 0.6;                   // strips of a wall stand no farther before it
+constexpr double kCoverShare =
+    0.6;  // of pilasters: cells of the wall behind that they are relief of
+constexpr double kCornice_m = 0.6;   // strips of a wall stand no farther before it
 constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
 constexpr size_t kLookedAtCells = 20000;
 constexpr double kFilledShare = 0.5;
@@ -80,12 +82,12 @@ bool is_in_opening(const WallEvidence& wall, const Vec2& at, bool only_framed) {
 
 // Where the cells of a plane lie to a wall, as shares of its measured ones.
 struct Placement {
-  double in_openings = 0, behind_wall = 0, within = 0, depth_m = 0;
+  double in_openings = 0, behind_wall = 0, within = 0, relief = 0, depth_m = 0;
 };
 
 Placement placement_of(const WallEvidence& plane, const WallEvidence& wall) {
   const bool is_windowed = plane.has_framed_openings();
-  size_t on = 0, openings = 0, behind = 0, within = 0;
+  size_t on = 0, openings = 0, behind = 0, within = 0, relief = 0;
   double depths = 0;
   for_measured(plane.cells, [&](const Vec3& p) {
     const Foot foot(wall.cells, p);
@@ -93,11 +95,12 @@ Placement placement_of(const WallEvidence& plane, const WallEvidence& wall) {
     depths += foot.depth_m;
     if (!foot.is_on_map) return;
     within += wall.cells.at(foot.column, foot.row) != WallState::kOutside;
+    relief += wall.cells.at(foot.column, foot.row) == WallState::kRelief;
     behind += is_well_inside(wall.cells, foot.column, foot.row);
     openings += is_in_opening(wall, foot.at, is_windowed);
   });
   if (on == 0) return {};
-  return {share_of(openings, on), share_of(behind, on), share_of(within, on),
+  return {share_of(openings, on), share_of(behind, on), share_of(within, on), share_of(relief, on),
           depths / static_cast<double>(on)};
 }
 
@@ -192,7 +195,8 @@ PlaneRole role_of(const Placement& p, const WallEvidence& plane, const CellSetti
   const double on_m = cells.on_m / 2;
   if (p.within < kWithinShare) return PlaneRole::kWall;
   if (p.depth_m < -on_m) {
-    const bool is_cover = p.depth_m >= -setting.relief_m;
+    const bool is_pilaster = p.depth_m >= -setting.proud_m && p.relief >= kCoverShare;
+    const bool is_cover = p.depth_m >= -setting.relief_m || is_pilaster;
     const bool is_strip = p.depth_m >= -kCornice_m && !is_broad(cells, kBroad_m);
     return is_cover || is_strip || is_sparse(plane) || tall_share(cells) < kTallShare
                ? PlaneRole::kRelief

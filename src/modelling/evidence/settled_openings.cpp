@@ -29,6 +29,12 @@ std::vector<CoveredOpening> covered_openings(WallEvidence& wall) {
   return out;
 }
 
+bool is_relief_at(const WallCells& cells, const Vec2& p) {
+  const double c = (p.u - cells.origin.u) / cells.cell_m, r = (p.v - cells.origin.v) / cells.cell_m;
+  return c >= 0 && r >= 0 && c < cells.columns && r < cells.rows &&
+         cells.at(static_cast<uint32_t>(c), static_cast<uint32_t>(r)) == WallState::kRelief;
+}
+
 bool covers(const WallEvidence& plane, const WallEvidence& wall) {
   return !plane.empty() && plane.role == PlaneRole::kRelief &&
          std::fabs(dot(plane.cells.frame.normal, wall.cells.frame.normal)) >= kCoveringParallel;
@@ -36,7 +42,7 @@ bool covers(const WallEvidence& plane, const WallEvidence& wall) {
 
 }  // namespace
 
-void settle_openings(const Segmentation& segmentation, double relief_m,
+void settle_openings(const Segmentation& segmentation, const CellSetting& cells,
                      std::vector<WallEvidence>& all, Task& task) {
   const Cloud& cloud = *segmentation.cloud;
   const LabelGroups groups(segmentation.labels->values<uint32_t>(), all.size(), task);
@@ -52,8 +58,9 @@ void settle_openings(const Segmentation& segmentation, double relief_m,
         for (const uint32_t i : groups.of(static_cast<uint32_t>(s + 1))) {
           const Vec3 p = cloud.point(i);
           const double out = dot(p - frame.origin, frame.normal) - frame.height;
-          if (s != w && (out < 0 || out > relief_m)) continue;
+          if (s != w && (out < 0 || out > cells.proud_m)) continue;
           const Vec2 q = frame.project(p);
+          if (s != w && out > cells.relief_m && !is_relief_at(wall.cells, q)) continue;
           for (CoveredOpening& c : covered)
             if (c.window.holds(q)) c.solid.push_back(q);
         }

@@ -100,7 +100,9 @@ void look_at(Sight& sight, const CellSetting& setting, const Vec3& p, uint32_t l
     return;
   }
   if (w > 0 && w <= setting.relief_m) sight.mark(sight.out.frame.project(p), kMarkRelief);
-  else if (w > 0 && w <= setting.proud_m) sight.mark(sight.out.frame.project(p), kMarkProud);
+  else if (w > 0 && w <= setting.proud_m)
+    sight.mark(sight.out.frame.project(p),
+               sight.is_parallel[label] != 0 ? kMarkProud | kMarkParallel : kMarkProud);
   if (eye != nullptr) look_along_ray(sight, *eye, p, w);
   else
     sight.mark(sight.out.frame.project(p), w > 0                    ? kMarkBefore

@@ -23,7 +23,7 @@ enum class WallState : uint8_t {
   kProud = 4,    ///< a point little before the plane: sills, signs, balconies
   kHidden = 5,   ///< something stands before it
   kRelief =
-      6,  ///< a point a hand's breadth before the plane: surrounds, panels, closed shutters on the wall
+      6,  ///< a point a hand's breadth before the plane: surrounds, panels, closed shutters on the wall; pilasters
   kDeep = 7,     ///< far behind the plane only: arcades, gateways, rooms
   kOutside = 8,  ///< beyond the wall's border
 };

@@ -82,6 +82,17 @@ TEST_CASE("classify_cells__points_in_strips_narrower_than_a_pier_are_strips_and_
   CHECK(is_all(mullion, {0, 0, 80, 20}, WallState::kOn));
 }
 
+TEST_CASE("classify_cells__pilasters_are_relief_and_parapets_and_pipes_stand_proud") {
+  const auto proud = [](uint32_t rows, uint8_t mark) {  // 35 cm wide
+    return MarkedWall(80, 80, 0.05).with({39, 10, 46, 10 + rows}, mark).cells();
+  };
+  constexpr uint8_t kParallel = kMarkProud | kMarkParallel;
+  CHECK(is_all(proud(60, kParallel), {39, 10, 46, 70}, WallState::kRelief));  // 3 m
+  CHECK(is_all(proud(26, kParallel), {39, 10, 46, 36}, WallState::kProud));   // 1.3 m
+  CHECK(is_all(proud(60, kMarkProud), {39, 10, 46, 70}, WallState::kProud));
+  CHECK(is_all(proud(60, kParallel | kMarkBehind), {39, 10, 46, 70}, WallState::kThrough));
+}
+
 TEST_CASE("classify_cells__at_coarse_spacing_two_cells_are_a_pier_and_one_is_none") {
   const auto bar = [&](uint32_t width) {
     return MarkedWall(80, 80, 0.2)

@@ -79,3 +79,18 @@ TEST_CASE("tell_roles__where_a_house_stands_back_the_wall_beside_it_ends") {
   CHECK(openings_of(evidence[0]) == 2);
   CHECK(openings_of(evidence[1]) == 2);
 }
+
+TEST_CASE("tell_roles__pilasters_before_all_piers_of_a_wall_are_its_relief") {
+  constexpr double kProud_m = 0.14, kPier_m = 0.8;
+  std::vector<Vec3> wall, pilasters;
+  add_layer(wall, 0, 0, 12, 8, 0);
+  for (const double left : {2.0, 4.0, 6.0, 8.0}) {
+    for (const double foot : {1.0, 4.5}) cut(wall, left, foot, 2 - kPier_m, 1.8);
+    cut(wall, left - kPier_m, 0.5, kPier_m, 7);
+    add_layer(pilasters, left - kPier_m, 0.5, kPier_m, 7, -kProud_m);
+  }
+  const auto evidence = evidence_of({wall, pilasters});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kRelief);
+  CHECK(openings_of(evidence[0]) == 8);
+}
