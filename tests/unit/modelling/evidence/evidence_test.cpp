@@ -4,6 +4,7 @@
 // What planes before and behind a wall are to it.
 #include <doctest/doctest.h>
 
+#include "modelling/contour/contour.h"
 #include "modelling/evidence/evidence.h"
 #include "unit/modelling/layers.h"
 
@@ -86,4 +87,47 @@ TEST_CASE("gather_evidence__leaves_floors_and_small_planes_and_has_the_same_bits
     for (size_t k = 0; k < one[s].openings.size(); ++k)
       CHECK(one[s].openings[k].shape.sizes == four[s].openings[k].shape.sizes);
   }
+}
+
+namespace {
+
+// The contour of the first of these parts, by its evidence and by its points alone.
+struct BothContours {
+  std::vector<WallEvidence> evidence;
+  Contour drawn, plain;
+
+  explicit BothContours(const std::vector<std::vector<Vec3>>& parts)
+      : evidence(evidence_of(parts)) {
+    std::vector<Vec2> points;
+    for (const Vec3& p : parts[0]) points.push_back(evidence[0].cells.frame.project(p));
+    Task task;
+    drawn = contours_by(evidence)(0, points, {}, {}, task);
+    plain = extract_contour(points, {}, task, {});
+  }
+};
+
+}  // namespace
+
+TEST_CASE("contours_by__draws_a_wall_by_its_points_where_these_show_its_openings_and_no_others") {
+  House house;
+  std::erase_if(house.wall, [](const Vec3& p) { return p.x > 7.5; });
+  const BothContours both({house.wall, house.panes});
+  CHECK(both.evidence[0].is_plain);
+  CHECK_FALSE(both.evidence[0].is_drawn());
+  REQUIRE(both.drawn.pieces.size() == 1);
+  CHECK(both.drawn.pieces[0].outline == both.plain.pieces[0].outline);
+  CHECK(both.drawn.pieces[0].openings == both.plain.pieces[0].openings);
+  CHECK(both.drawn.pieces[0].openings.size() == 3);
+}
+
+TEST_CASE("contours_by__draws_a_wall_by_its_evidence_where_its_points_have_a_hole_that_is_none") {
+  House house;
+  std::erase_if(house.wall, [](const Vec3& p) { return p.x > 7.5 || in_box(p, 2.5, 4, 2.5, 1.2); });
+  std::vector<Vec3> lorry;
+  add_layer(lorry, 2.3, 3.5, 2.9, 1.9, -1.5);
+  const BothContours both({house.wall, house.panes, lorry});
+  CHECK(both.evidence[0].is_wall());
+  CHECK_FALSE(both.evidence[0].is_plain);
+  REQUIRE(both.plain.pieces.size() == 1);
+  CHECK(both.plain.pieces[0].openings.size() == 4);
 }
