@@ -41,8 +41,7 @@ constexpr double kDoorStep_m =
 constexpr double kDeepShare = 0.3;  // what lies far behind may have been seen beside the opening
 constexpr double kBordered = 0.95;  // of an empty one's border
 constexpr double kLeastBordered = 0.2;  // of any: nothing of the wall is about what lies beside it
-constexpr double kCoveredMost = 0.6;  // of its cells: what little is seen beside that tells nothing
-constexpr double kHiddenMost = 0.25;  // of its cells: rays to the rest went astray
+constexpr double kHiddenMost = 0.25;    // of its cells: rays to the rest went astray
 constexpr double kMostSlender =
     4;  // its longer side in shorter ones: empty strips are shadows of gutters
 
@@ -187,7 +186,6 @@ double seen_blocks(const WallCells& cells, const OpeningShape& shape) {
 // Steps 3 and 4.
 bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
   if (std::max(c.bordered, c.framed) < kLeastBordered) return false;
-  if (c.inside.share(WallState::kHidden) > kCoveredMost) return false;
   if (c.inside.of(WallState::kThrough) >= kThroughCells && seen_blocks >= kSeenBlocks &&
       c.inside.share(WallState::kThrough) >= kThroughShare)
     return true;

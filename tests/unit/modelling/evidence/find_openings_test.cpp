@@ -137,17 +137,6 @@ TEST_CASE("find_openings__what_wall_does_not_surround_needs_to_be_seen_through")
             .size() == 1);
 }
 
-TEST_CASE("find_openings__what_little_is_seen_of_a_place_that_something_hides_tells_nothing") {
-  const auto seen_in_every = [](int bars) {
-    PaintedWall wall;
-    wall.with(4, 1, 3, 2, WallState::kHidden);
-    for (int k = 0; k < 60; k += bars) wall.with(4 + k * 0.05, 1, 0.05, 2, WallState::kThrough);
-    return wall.openings().size();
-  };
-  CHECK(seen_in_every(2) == 1);
-  CHECK(seen_in_every(4) == 0);
-}
-
 TEST_CASE("find_openings__what_was_seen_through_one_corner_only_is_not_an_opening") {
   // A neighbour's floor behind a gateway: all of it in the lowest fifth.
   CHECK(PaintedWall()
