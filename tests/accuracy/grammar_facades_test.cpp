@@ -8,6 +8,7 @@
 // JALON_GRAMMAR_BARE=1 takes the stations off, as most files come.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <optional>
@@ -32,12 +33,6 @@ constexpr Series kDeveloped{"seeds 1-100, developed", 1, 100},
 constexpr uint64_t kOfShortRun = 3;  ///< seeds, a thinner spacing
 constexpr double kShortRunSpacing_m = 0.04;
 
-bool is_developed(const std::string& kind) {
-  for (const char* name : {"town_house", "apartments", "shops", "arcade", "offices", "gabled"})
-    if (kind == name) return true;
-  return false;
-}
-
 constexpr FacadeKind kUndrawnKinds[] = {FacadeKind::kTimbered, FacadeKind::kVilla,
                                         FacadeKind::kSchool, FacadeKind::kSheds, FacadeKind::kNave};
 
@@ -45,6 +40,11 @@ FacadeKind drawn_kind(uint64_t) { return FacadeKind::kAny; }
 /// One after the other.
 FacadeKind undrawn_kind(uint64_t seed) { return kUndrawnKinds[seed % std::size(kUndrawnKinds)]; }
 using KindOfSeed = FacadeKind (*)(uint64_t);
+
+bool is_developed(const std::string& kind) {
+  return std::none_of(std::begin(kUndrawnKinds), std::end(kUndrawnKinds),
+                      [&](FacadeKind undrawn) { return kind == name_of(undrawn); });
+}
 
 FacadeFigures figures_of(uint64_t seed, KindOfSeed kind_of, std::string& kind) {
   Task task;
