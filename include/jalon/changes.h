@@ -42,7 +42,15 @@ JALON_BEGIN_C
  *     box_min   float64 x 3  m     lowest corner of the box around them
  *     box_max   float64 x 3  m     highest corner
  *
- * "volume" is the sum of a prism a point, its disc as seen along its distance times that. Where
+ * Of a comparison of method "landslide" (criterion automatic or significance) the regions are its
+ * zones, those that went down with a negative "mean"; the area is across the direction, the volume
+ * that of the measured cells, those beside the zone among them, and there are besides:
+ *     column         type     unit  meaning
+ *     volume_sigma   float64  m3    standard deviation of the volume
+ *     boundary       float64  m     length of its outline
+ *     open_boundary  float64  m     of that, along ground that was not measured
+ *
+ * Else "volume" is the sum of a prism a point, its disc as seen along its distance times that. Where
  * distances lead tell the columns "difference_x", "_y", "_z" (parameter "differences") or the
  * normals of method "m3c2"; without them they are laid along the normal of the plane through the
  * region, which is right for pits, heaps and slabs and wrong for what is taller than wide. What
@@ -149,7 +157,9 @@ jalon_comparison_diagnose(const jalon_comparison* forward, const jalon_compariso
  * "change 1 " before that where a change holds them, and the id of their faces is the row of the
  * change, counted from 1, else the region. The class of a part is "appearance", "disappearance",
  * "displacement_before", "displacement_after", "deformation_before", "deformation_after", or
- * "region" where no change tells: the layer of a DXF.
+ * "region" where no change tells: the layer of a DXF. Of method "landslide" the outlines are the
+ * cells', of class "depletion" or "accumulation", and there are parts "not measured in the
+ * reference", "... in the compared epoch" and "... in either epoch" of class "unmeasured".
  *
  * JALON_ERROR_INVALID_ARGUMENT when the tables do not fit the comparisons. Without regions the
  * model has no faces. O(m log n) for m changed points of n.

@@ -77,6 +77,12 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_overlap(const jalon_cloud* refere
  *   compared points of a cell (Girardeau-Montaut et al. 2005, 3.2). Rough at the borders of cells;
  *   points of cells without any reference have the status JALON_NOTHING_NEAR. With "measure" =
  *   plane_angle it gives angles in the place of distances. O(n log n).
+ * - "landslide": what a slope lost and gained, cell by cell across it, with standard deviations, and
+ *   what was not measured (Girardeau-Montaut 2006, 5.4). Zones that moved are found by the whole
+ *   slope's tests, of one sign each; jalon_comparison_regions measures them,
+ *   jalon_comparison_outlines draws their boundaries and the ground that neither or only one epoch
+ *   has measured. No such ground is filled in. Plants count as ground: take them out first. The
+ *   rows are the cells, the points of the comparison their middles. O(n log n).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
 /** The names of the methods, the default first. Static texts. */
@@ -220,6 +226,22 @@ JALON_API void jalon_comparison_release(jalon_comparison* comparison);
  *                                          the interquartile range / 1.349
  *     spread_compared   float64      m     the same of the compared surface
  *
+ * Method "landslide", one row a cell; "status" tells of the reference first why it has no distance, which is compared
+ * above reference, along "direction":
+ *     column            type     unit  meaning
+ *     lod               float64  m     level of detection of the cell: of cells at rest the share
+ *                                      "confidence" has |distance| up to it
+ *     significant       uint8    -     1 = of a zone that moved
+ *     zone              uint32   -     that zone, of one sign, 1 = most cells; 0 = none
+ *     sigma             float64  m     of the distance, without what all cells share
+ *     reference_status  uint8    -     JALON_COMPARED: measured; JALON_HIDDEN ... why not;
+ *                                      JALON_NOTHING_NEAR: no point, though nothing hid it
+ *     compared_status   uint8    -     the same of the compared epoch
+ *     column            uint32   -     of the grid
+ *     row               uint32   -     of the grid
+ *     reference_points  uint32   -     points of the reference
+ *     compared_points   uint32   -     points of the compared epoch
+ *
  * Method "preview" with "measure" = plane_angle, in the place of "distance":
  *     column       type     unit  meaning
  *     plane_angle  float64  rad   between the planes of both clouds in the cell
@@ -274,6 +296,38 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_compariso
  *     column       type     unit  meaning
  *     significant  uint64   -     core points whose distance exceeds the level of detection
  *     mean_lod     float64  m     mean level of detection of the compared core points
+ *
+ * Method "landslide"; areas are across the direction, volumes those of measured cells alone:
+ *     column                   type         unit  meaning
+ *     significant              uint64       -     cells of zones that moved
+ *     mean_lod                 float64      m     mean level of detection of the measured cells
+ *     cell                     float64      m     side of the cells
+ *     sigma_scale              float64      1     by which ground at rest differs more than its
+ *                                                 points scatter
+ *     systematic               float64      m     standard deviation of what whole blocks of cells
+ *                                                 are off, by the ground at rest, with
+ *                                                 "alignment_sigma_m"
+ *     direction                float64 x 3  -     along which movements are counted
+ *     along_columns            float64 x 3  -     from column to column
+ *     first_cell               float64 x 3  m     centre of column 0 and row 0
+ *     depletion                float64      m3    of the zones that went down
+ *     depletion_sigma          float64      m3    its standard deviation
+ *     accumulation             float64      m3    of the zones that rose
+ *     accumulation_sigma       float64      m3    its standard deviation
+ *     net                      float64      m3    accumulation less depletion
+ *     net_sigma                float64      m3    its standard deviation
+ *     depletion_area           float64      m2    of the zones that went down
+ *     accumulation_area        float64      m2    of the zones that rose
+ *     boundary                 float64      m     of all zones
+ *     open_boundary            float64      m     of that, along ground that was not measured
+ *     measured_area            float64      m2    that both epochs have measured
+ *     unmeasured_reference     float64      m2    not measured in the reference alone
+ *     unmeasured_compared      float64      m2    not measured in the compared epoch alone
+ *     unmeasured_both          float64      m2    not measured in either
+ *     unmeasured_hidden        float64      m2    of those in a shadow in an epoch at least
+ *     unmeasured_beside_zones  float64      m2    of those what hangs together with the border of
+ *                                                 a zone: the zone may go on there
+ *     unmeasured_share         float64      1     of the whole area
  *
  * Method "preview" with "measure" = plane_angle, in the place of "mean" ... "maximum":
  *     column         type     unit  meaning

@@ -41,6 +41,14 @@ constexpr KnownColumn kComparedColumns[] = {
     {"count_compared", ElementType::kUint32},
     {"spread_reference", kF64},
     {"spread_compared", kF64},
+    {"zone", ElementType::kUint32},
+    {"sigma", kF64},
+    {"reference_status", ElementType::kUint8},
+    {"compared_status", ElementType::kUint8},
+    {"column", ElementType::kUint32},
+    {"row", ElementType::kUint32},
+    {"reference_points", ElementType::kUint32},
+    {"compared_points", ElementType::kUint32},
 };
 
 void require_whole_comparison(const ByteReader& reader, const Comparison& comparison) {

@@ -5,6 +5,7 @@
 #include "base/names_of.h"
 #include "compare/distance/distance.h"
 #include "compare/distance/model_distance.h"
+#include "compare/landslide/landslide.h"
 #include "compare/m3c2/file.h"
 #include "compare/m3c2/m3c2.h"
 #include "compare/preview/preview.h"
@@ -38,6 +39,11 @@ Comparison run_preview(const CloudPtr& reference, const CloudPtr& compared, cons
   return compare_preview(reference, compared, settings_from<PreviewSettings>(params), task);
 }
 
+Comparison run_landslide(const CloudPtr& reference, const CloudPtr& compared,
+                         const ParamSet& params, Task& task) {
+  return compare_landslide(reference, compared, settings_from<LandslideSettings>(params), task);
+}
+
 constexpr CompareMethod kMethods[] = {
     {.name = "distance",
      .owner = "comparer distance",
@@ -52,6 +58,10 @@ constexpr CompareMethod kMethods[] = {
      .read_file = read_cloudcompare_m3c2,
      .use_registration = use_registration_in_m3c2},
     {.name = "preview", .owner = "comparer preview", .rows = preview_rows, .run = run_preview},
+    {.name = "landslide",
+     .owner = "comparer landslide",
+     .rows = landslide_rows,
+     .run = run_landslide},
 };
 
 }  // namespace

@@ -50,5 +50,9 @@ inline constexpr char kAppearance[] = "appearance";
 inline constexpr char kDisappearance[] = "disappearance";
 inline constexpr char kDisplacement[] = "displacement";
 inline constexpr char kDeformation[] = "deformation";
+// Of the outlines of a landslide.
+inline constexpr char kDepletion[] = "depletion";
+inline constexpr char kAccumulation[] = "accumulation";
+inline constexpr char kUnmeasured[] = "unmeasured";  ///< by one epoch or both
 
 }  // namespace jalon::part_class

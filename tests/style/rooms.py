@@ -46,7 +46,8 @@ SUBROOMS = {
     },
     "compare": {
         "visibility": [], "overlap": [], "detection": ["visibility"], "distance": ["detection"], "preview": [], "m3c2": [], "matching": [],
-        "changes": ["matching", "detection"], "volumes": ["distance"], "clearance": [],
+        "volumes": ["distance"], "landslide": ["volumes", "detection"], "changes": ["matching", "detection", "landslide"],
+        "clearance": [],
     },
     "registration": {"joint": [], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": [], "network": ["targets"]},
     "report": {
@@ -54,7 +55,7 @@ SUBROOMS = {
         "pictures": ["elevation"], "viewer": ["sheet"], "pages": ["pictures", "charts", "viewer"],
     },
     "capi": {"support": [], "sections": ["support"]},
-    "cli": {"inputs": [], "outputs": [], "system": []},
+    "cli": {"inputs": [], "outputs": [], "system": [], "comparing": []},
 }
 MOST_FILES = 45  # of one folder: above, a room wants sub-rooms
 CODE = (".c", ".cpp", ".h", ".inc")

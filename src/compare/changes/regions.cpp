@@ -15,6 +15,8 @@
 #include "compare/changes/changed_points.h"
 #include "compare/changes/measured_steps.h"
 #include "compare/changes/point_discs.h"
+#include "compare/changes/zone_regions.h"
+#include "compare/landslide/cell_table.h"
 
 namespace jalon {
 
@@ -103,6 +105,10 @@ std::span<const ParamRow> regions_rows() { return kRows; }
 
 ChangeRegions change_regions(const Comparison& comparison, const RegionSettings& settings,
                              Task& task, const Cloud* reference) {
+  using Criterion = RegionSettings::Criterion;
+  const bool by_level =
+      settings.criterion == Criterion::kAutomatic || settings.criterion == Criterion::kSignificance;
+  if (by_level && is_landslide(comparison)) return zone_regions(comparison);
   ChangeRegions out;
   out.changed = changed_points(comparison, settings, task);
   out.labels.assign(comparison.cloud->size(), 0);
@@ -168,6 +174,14 @@ FieldTable regions_table(const ChangeRegions& found) {
   vec("centroid", "mean of its points", [](const ChangeRegion& r) { return r.centroid; });
   vec("box_min", "lowest corner", [](const ChangeRegion& r) { return r.box.min; });
   vec("box_max", "highest corner", [](const ChangeRegion& r) { return r.box.max; });
+  if (!found.has_zones) return table;
+  add_column<double>(table, rows, "volume_sigma", "m3", "standard deviation of the volume",
+                     [](const ChangeRegion& r) { return r.zone.volume_sigma_m3; });
+  add_column<double>(table, rows, "boundary", "m", "length of its outline",
+                     [](const ChangeRegion& r) { return r.zone.boundary_m; });
+  add_column<double>(table, rows, "open_boundary", "m",
+                     "of that, along ground that was not measured",
+                     [](const ChangeRegion& r) { return r.zone.open_boundary_m; });
   return table;
 }
 

@@ -23,6 +23,10 @@ struct ChangeRegion {
   Box3 box;
   Vec3 centroid;
   Eigen3 axes;  ///< of the points' covariance about the centroid
+  /// Of a zone of method "landslide" alone; see ZoneMeasure.
+  struct Zone {
+    double volume_sigma_m3 = 0, boundary_m = 0, open_boundary_m = 0;
+  } zone;
 };
 
 struct ChangeRegions {
@@ -30,6 +34,7 @@ struct ChangeRegions {
   std::vector<uint32_t> labels;       ///< the same: 0 = in no region
   std::vector<ChangeRegion> regions;  ///< labels 1, 2 ...
   double cell_m = 0;                  ///< edge of the grid that connected them
+  bool has_zones = false;             ///< they are the zones of method "landslide"
   double spacing_m = 0;               ///< sqrt(A / (N pi)) of the changed points (eq. 2.6), median
 };
 

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
+#include "compare/volumes/grid_points.h"
 #include "geometry/symmetric_eigen.h"
 #include "model/polygon_triangles.h"
 
@@ -16,52 +17,14 @@ namespace jalon {
 namespace {
 
 constexpr size_t kMostCells = size_t{1} << 25;  // 1.3 GB of two states' heights
-constexpr size_t kPointGrain = 1 << 15, kVolumeGridCellGrain = 4096;
+constexpr size_t kVolumeGridCellGrain = 4096;
 constexpr uint32_t kEnoughAround = 5;  // of eight cells, so that an empty one is surrounded
-
-/// The points of each cell, in their order.
-class CellPoints {
- public:
-  CellPoints(const Cloud& cloud, const VolumeGrid& grid, Task& task)
-      : cloud_(cloud), grid_(grid), first_(grid.cells() + 1) {
-    const size_t n = cloud.size();
-    Buffer<uint32_t> cell(n);
-    parallel_for(task, n, kPointGrain, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i)
-        cell[i] = static_cast<uint32_t>(grid.cell_of(grid.project(cloud.point(i))));
-    });
-    std::fill(first_.begin(), first_.end(), 0u);
-    for (size_t i = 0; i < n; ++i) {
-      if (i % kPointGrain == 0) task.checkpoint(0.3);
-      ++first_[cell[i] + 1];
-    }
-    for (size_t c = 0; c < grid.cells(); ++c) first_[c + 1] += first_[c];
-    order_ = Buffer<uint32_t>(n);
-    Buffer<uint32_t> next(grid.cells());
-    std::copy(first_.begin(), first_.end() - 1, next.begin());
-    for (size_t i = 0; i < n; ++i) {
-      if (i % kPointGrain == 0) task.checkpoint(0.5);
-      order_[next[cell[i]]++] = static_cast<uint32_t>(i);
-    }
-  }
-  uint32_t count(size_t cell) const { return first_[cell + 1] - first_[cell]; }
-  template <class F>
-  void for_each(size_t cell, F&& f) const {
-    for (uint32_t k = first_[cell]; k < first_[cell + 1]; ++k)
-      f(grid_.project(cloud_.point(order_[k])));
-  }
-
- private:
-  const Cloud& cloud_;
-  const VolumeGrid& grid_;
-  Buffer<uint32_t> first_, order_;
-};
 
 struct HeightSum {
   double mean = kNaN, squares = 0;  ///< squares of the differences from the mean
 };
 
-HeightSum mean_of(const CellPoints& points, size_t cell) {
+HeightSum mean_of(const GridPoints& points, size_t cell) {
   HeightSum out;
   double sum = 0;
   points.for_each(cell, [&](const Vec3& p) { sum += p.z; });
@@ -70,7 +33,7 @@ HeightSum mean_of(const CellPoints& points, size_t cell) {
   return out;
 }
 
-double median_of(const CellPoints& points, size_t cell, std::vector<double>& heights) {
+double median_of(const GridPoints& points, size_t cell, std::vector<double>& heights) {
   heights.clear();
   points.for_each(cell, [&](const Vec3& p) { heights.push_back(p.z); });
   const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
@@ -111,7 +74,7 @@ struct PlaneSums {
   }
 };
 
-double interpolated(const CellPoints& points, const VolumeGrid& grid, size_t cell) {
+double interpolated(const GridPoints& points, const VolumeGrid& grid, size_t cell) {
   const auto column = static_cast<int64_t>(cell % grid.columns),
              row = static_cast<int64_t>(cell / grid.columns);
   const double centre_u = grid.first_u + (static_cast<double>(column) + 0.5) * grid.cell_m;
@@ -179,7 +142,7 @@ VolumeGrid grid_over(VolumeGrid grid, const Box3& projected, double cell_m) {
 }
 
 CellHeights cloud_heights(const Cloud& cloud, const VolumeGrid& grid, CellValue value, Task& task) {
-  const CellPoints points(cloud, grid, task);
+  const GridPoints points(cloud, grid, task);
   CellHeights out(grid.cells());
   parallel_for(task, grid.cells(), kVolumeGridCellGrain, [&](size_t begin, size_t end) {
     std::vector<double> heights;

@@ -29,7 +29,8 @@ constexpr ClassColour kColours[] = {
     {part_class::kRegion, 1},       {part_class::kAppearance, 3},  {part_class::kDisappearance, 1},
     {part_class::kDisplacement, 5}, {part_class::kDeformation, 6}, {part_class::kGateway, 10},
     {part_class::kShopFront, 130},  {part_class::kVent, 190},      {part_class::kRecess, 54},
-    {part_class::kGutter, 240},
+    {part_class::kGutter, 240},     {part_class::kDepletion, 5},   {part_class::kAccumulation, 1},
+    {part_class::kUnmeasured, 8},
 };
 constexpr int kOtherColour = 7;
 

@@ -14,6 +14,8 @@
 #include "model/part_classes.h"
 #include "modelling/contour/contour.h"
 #include "modelling/plane/plane_frame.h"
+#include "report/pages/zone_outlines.h"
+#include "compare/landslide/cell_table.h"
 
 namespace jalon {
 
@@ -213,6 +215,10 @@ Model change_outlines(const ChangedCloud& after, const ChangedCloud& before,
   Part& root = model.parts.emplace_back();
   root.name = "changes";
   root.part_class = part_class::kChanges;
+  if (is_landslide(*after.comparison) && after.points->find("change") == nullptr) {
+    add_zone_outlines(*after.comparison, *after.points, 0, model);
+    return model;
+  }
   const Vec3 origin = local_origin(*after.comparison->cloud, task);
   for (const ChangedCloud* epoch : {&after, &before}) {
     if (epoch->comparison == nullptr) continue;

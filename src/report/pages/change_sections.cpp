@@ -64,10 +64,17 @@ void add_change_row(Page& page, const FieldTable& changes, size_t row) {
   page.number(told_number(length_of(changes.require("displacement"), row)));
 }
 
+// With its standard deviation, where that is known.
+std::string volume_of(const FieldTable& changes, size_t row) {
+  const std::string volume = told_number(changes.require("volume").number(row));
+  const Column* sigma = changes.find("volume_sigma");
+  return sigma == nullptr ? volume : volume + " \xC2\xB1 " + told_number(sigma->number(row));
+}
+
 void add_region_row(Page& page, const FieldTable& changes, size_t row) {
   page.number(grouped(static_cast<uint64_t>(changes.require("points").number(row))));
-  for (const char* name : {"area", "volume"})
-    page.number(told_number(changes.require(name).number(row)));
+  page.number(told_number(changes.require("area").number(row)));
+  page.number(volume_of(changes, row));
   for (const char* name : {"mean", "extreme"})
     page.number(told_mm(changes.require(name).number(row)));
   page.number(vector_text(changes.require("centroid"), row, 2));
@@ -102,7 +109,7 @@ Pairs told_of_change(const FieldTable& changes, size_t row) {
 
 Pairs told_of_region(const FieldTable& changes, size_t row) {
   return {{"area (m\xC2\xB2)", told_number(changes.require("area").number(row))},
-          {"volume (m\xC2\xB3)", told_number(changes.require("volume").number(row))},
+          {"volume (m\xC2\xB3)", volume_of(changes, row)},
           {"mean, largest distance (mm)", told_mm(changes.require("mean").number(row)) + ", " +
                                               told_mm(changes.require("extreme").number(row))}};
 }

@@ -8,10 +8,12 @@
 
 #include "base/error.h"
 #include "base/setting_rows.h"
+#include "compare/landslide/cell_table.h"
 #include "report/charts/distance_chart.h"
 #include "report/names/told_numbers.h"
 #include "report/pages/change_sections.h"
 #include "report/pages/html_frame.h"
+#include "report/pages/landslide_sections.h"
 #include "report/pages/html_model.h"
 #include "report/pages/comparison_view.h"
 #include "report/pictures/deviation_picture.h"
@@ -134,6 +136,7 @@ void add_more(Page& page, const Comparison& comparison) {
     const bool is_told = std::any_of(std::begin(kTold), std::end(kTold),
                                      [&](const char* n) { return info.name == n; });
     if (is_told || info.components != 1 || column->count() != 1) continue;
+    if (is_landslide(comparison) && is_told_of_landslide(info.name)) continue;
     const bool in_mm = info.unit == "m";
     const double value = column->number(0);
     pairs.emplace_back(
@@ -280,6 +283,7 @@ std::string comparison_html(const Comparison& forward, const Comparison* reverse
   const std::vector<ChangePlace> places =
       change_places(forward, reverse, changes, settings.threshold_m, kMostMarks, task);
   add_summary(page, forward, reverse, !scale.is_signed);
+  add_landslide(page, forward);
   if (changes.size() > 0) add_change_table(page, changes);
   if (settings.picture) add_pictures(page, forward, reverse, places, scale, task);
   add_viewer(page, comparison_scene(forward, reverse, changes, scale), settings.viewer_points,

@@ -9,9 +9,11 @@
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "cloud/statistics.h"
+#include "compare/landslide/cell_table.h"
 #include "report/elevation/title_block.h"
 #include "report/pictures/deviation_raster.h"
 #include "report/pictures/picture_axes.h"
+#include "report/pictures/zone_lines.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
 
@@ -29,7 +31,8 @@ constexpr auto kDeviationPictureRows = setting_rows(
     number_row<&S::limit_m>("limit_m", 0, 1e9, "m", "",
                             "Distance at the end of the colour scale; 0 = 98 % lie within"));
 
-constexpr double kDeviationPictureText = 2.5, kBarWidth = 5, kBarHeight = 46, kLegend = 70;
+constexpr double kDeviationPictureText = 2.5, kBarWidth = 5, kBarHeight = 46, kLegend = 70,
+                 kZoneKey = 17;
 
 void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const char* text) {
   svg.leaf("rect", {{"x", x},
@@ -42,8 +45,9 @@ void swatch(SvgWriter& svg, double x, double y, const Rgb& colour, const char* t
   svg_text(svg, {x + kBarWidth + 2, y + 2.4}, kDeviationPictureText, Anchor::kStart, text);
 }
 
-// The colour scale in millimetres or metres, whatever has fewer digits.
-void draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet, const char* grey) {
+// The colour scale in millimetres or metres, whatever has fewer digits; gives back where it ends.
+double draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet,
+                  const char* grey) {
   const double x = sheet.legend.x + 3, top = std::max(sheet.legend.y + 8, sheet.view.y + 4);
   const bool in_mm = scale.limit_m < 1;
   const double factor = in_mm ? 1000 : 1, low = scale.lowest_m() * factor,
@@ -73,6 +77,7 @@ void draw_scale(SvgWriter& svg, const DeviationScale& scale, const Sheet& sheet,
   }
   swatch(svg, x, top + kBarHeight + 5, kHiddenColour, "hidden");
   swatch(svg, x, top + kBarHeight + 10, kNotComparedColour, grey);
+  return top + kBarHeight + 15;
 }
 
 }  // namespace
@@ -87,8 +92,10 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
   const LabelRaster raster =
       deviation_raster(comparison, scale, projection, settings.only_significant, task);
   const bool is_empty = raster.labels.empty();
-  const Sheet sheet = lay_out_figure(is_empty ? 10 : raster.width_m(),
-                                     is_empty ? 5 : raster.height_m(), {}, kLegend);
+  const bool has_zones = is_landslide(comparison);
+  const Sheet sheet =
+      lay_out_figure(is_empty ? 10 : raster.width_m(), is_empty ? 5 : raster.height_m(), {},
+                     kLegend + (has_zones ? kZoneKey : 0));
   SvgWriter svg;
   const std::string title = settings.title.empty() ? "Distances" : settings.title;
   open_figure(svg, sheet, title);
@@ -104,17 +111,17 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
                        {"xlink:href", "data:image/png;base64," +
                                           base64_of(png_of(deviation_image(raster, scale)))}});
   draw_picture_frame(svg, sheet);
-  if (!is_empty)
-    draw_picture_marks(
-        svg, settings.marks,
-        [&](const Vec3& p) {
-          const Vec2 at = projection.flat(p);
-          return Vec2{v.x + (at.u - raster.low.u) / raster.width_m() * v.width,
-                      v.bottom() - (at.v - raster.low.v) / raster.height_m() * v.height};
-        },
-        v);
+  const auto place = [&](const Vec3& p) {
+    const Vec2 at = projection.flat(p);
+    return Vec2{v.x + (at.u - raster.low.u) / raster.width_m() * v.width,
+                v.bottom() - (at.v - raster.low.v) / raster.height_m() * v.height};
+  };
+  if (!is_empty && has_zones) draw_zone_lines(svg, comparison, place);
+  if (!is_empty) draw_picture_marks(svg, settings.marks, place, v);
   if (!is_empty) draw_axes(svg, raster, sheet, {view.right_name(), view.up_name()});
-  draw_scale(svg, scale, sheet, settings.only_significant ? "not significant" : "not compared");
+  const double below =
+      draw_scale(svg, scale, sheet, settings.only_significant ? "not significant" : "not compared");
+  if (!is_empty && has_zones) draw_zone_key(svg, sheet.legend.x + 3, below);
   draw_scale_bar(svg, sheet);
   return svg.take();
 }
