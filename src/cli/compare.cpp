@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/comparing/direction.h"
+#include "cli/comparing/extras.h"
+#include "cli/comparing/field_steps.h"
 #include "cli/inputs/compare_inputs.h"
 #include "cli/outputs/compare_listing.h"
 #include "cli/lengths.h"
@@ -25,16 +28,11 @@ struct Compare {
   Common common;
   Settings settings, change_settings, sample_settings;
   Input reference, compared, core;
-  std::string method = "distance", registration, output;
+  std::string method = "distance", registration, m3c2_file, output;
+  Extras extras;
+  FieldSteps steps;
   double threshold_m = 0;  ///< 0 = the operation's default
   bool is_one_way = false, is_forced = false;
-
-  // What one direction gave.
-  struct Direction {
-    Comparison comparison;
-    Fields points;  ///< "changed", "region" and, both ways, "change"
-    std::unique_ptr<Table> summary;
-  };
 
   /// A file read: a scan, or a model and points on it.
   struct Epoch {
@@ -71,10 +69,12 @@ struct Compare {
     return run_model(console, worker, from.model, to.cloud);
   }
 
-  Comparer comparer(Params& params) const {
+  Comparer comparer(const Console& console, Params& params) const {
     Comparer made;
     must_know(jalon_comparer_create(method.c_str(), Out(made)));
     must(jalon_comparer_params(made.get(), Out(params)));
+    if (!m3c2_file.empty())
+      must_read(jalon_comparer_read_m3c2_file(made.get(), m3c2_file.c_str(), console.task()));
     if (!registration.empty()) use_registration_file(registration, params.get());
     settings.apply(params.get());
     return made;
@@ -95,7 +95,7 @@ struct Compare {
                              const Cloud& to) {
     Comparison made;
     must(jalon_comparer_run_model(worker.get(), from.get(), to.get(), console.task(), Out(made)));
-    return direction_of(std::move(made));
+    return Direction::of(std::move(made));
   }
 
   Direction run_one(Console& console, const Comparer& worker, const Cloud& from,
@@ -106,36 +106,7 @@ struct Compare {
     else
       must(jalon_comparer_run_core(worker.get(), from.get(), to.get(), core.read(console).get(),
                                    console.task(), Out(made)));
-    return direction_of(std::move(made));
-  }
-
-  static Direction direction_of(Comparison made) {
-    Direction out;
-    out.comparison = std::move(made);
-    Fields summary;
-    must(jalon_comparison_summary(out.comparison.get(), Out(summary)));
-    out.summary = std::make_unique<Table>(std::move(summary));
-    return out;
-  }
-
-  static void write_cloud(const Console& console, OutputFolder& folder, const Direction& direction,
-                          const char* name) {
-    Cloud cloud;
-    must(jalon_comparison_cloud(direction.comparison.get(), Out(cloud)));
-    uint64_t columns = 0;
-    must(jalon_fields_count(direction.points.get(), &columns));
-    for (uint64_t i = 0; i < columns; ++i) {
-      jalon_field_info info{};
-      info.struct_size = sizeof info;
-      must(jalon_fields_info(direction.points.get(), i, &info));
-      jalon_array_view view;
-      must(jalon_fields_view(direction.points.get(), info.name, &view));
-      must(jalon_cloud_set_field(cloud.get(), info.name, view.data, view.type, view.components,
-                                 view.count, view.stride_bytes, info.unit, info.meaning));
-    }
-    for (const char* extension : {".las", ".ply"})
-      must(jalon_cloud_write(cloud.get(), folder.path(std::string(name) + extension).c_str(),
-                             nullptr, console.task()));
+    return Direction::of(std::move(made));
   }
 
   void write_report(const Console& console, OutputFolder& folder, const Direction& forward,
@@ -190,9 +161,11 @@ struct Compare {
 
   // Fields, outlines and tables of what was found.
   void write_changes(const Console& console, OutputFolder& folder, const Direction& forward,
-                     const Direction& reverse, const Fields& found, const Plan& plan) const {
-    write_cloud(console, folder, forward, "compared");
-    if (plan.both) write_cloud(console, folder, reverse, "reference");
+                     const Direction& reverse, const Fields& found, const Plan& plan,
+                     const Cloud& compared_points) const {
+    const PathOf path_of = [&](const std::string& name) { return folder.path(name); };
+    write_both(console, path_of, compared_points, "compared");
+    if (plan.both) write_both(console, path_of, reverse.cloud(), "reference");
     Model outlines;
     must(jalon_comparison_outlines(forward.comparison.get(), forward.points.get(),
                                    reverse.comparison.get(), reverse.points.get(),
@@ -255,6 +228,8 @@ struct Compare {
     if (!plan.shadows.empty()) console.say("shadows: " + plan.shadows);
     plan.diagnosed ? list_changes(console, changes, lengths)
                    : list_regions(console, changes, lengths);
+    if (forward.summary->has("depletion")) say_landslide(console, *forward.summary, lengths);
+    extras.say(console, result, lengths);
     console.say("wrote " + output +
                 ": report.html, comparison.json, histogram.svg, distances.svg, " +
                 (plan.diagnosed ? "changes" : "regions") +
@@ -268,8 +243,11 @@ struct Compare {
     Console console(common);
     Params params;
     check_output_folder(output);
-    const Comparer worker = comparer(params);  // wrong parameters are told before a long read
+    const Comparer worker =
+        comparer(console, params);  // wrong parameters are told before a long read
     Plan plan = this->plan();
+    extras.check(is_model_file(reference.path), is_model_file(compared.path), method);
+    steps.check();
     const Params options = change_options(plan.diagnosed ? "diagnosis" : "regions");
     console.step("reading");
     const Epoch after = read(console, compared, true), before = read(console, reference, plan.both);
@@ -284,6 +262,7 @@ struct Compare {
     Direction forward = run_to(console, worker, before, after), reverse;
     if (plan.both) reverse = run_to(console, worker, after, before);
     require_compared(forward, reverse);
+    const Json third = extras.use_third_epoch(console, worker.get(), after.cloud, forward);
     if (of_scans)
       plan.shadows = said_of_shadows(before.cloud, params, *forward.summary,
                                      plan.both ? reverse.summary.get() : nullptr);
@@ -293,13 +272,21 @@ struct Compare {
     times["changes"] = console.seconds();
     console.step("writing");
     OutputFolder folder(output);
-    write_changes(console, folder, forward, reverse, found, plan);
+    const Cloud points = forward.cloud();
+    Json done = Json::array();
+    if (steps.is_given()) done = steps.run(console, points, before.cloud);
+    write_changes(console, folder, forward, reverse, found, plan, points);
     write_report(console, folder, forward, reverse, found, options, times, plan.shadows, lengths);
     const Table changes(std::move(found));
     const std::string list = plan.diagnosed ? "changes" : "regions";
     write_text_file(folder.path(list + ".csv"), changes.csv());
     Json result = result_of(plan, params, options, times, forward, reverse);
     result[list] = changes.list();
+    if (!third.is_null()) result["third_epoch"] = third;
+    if (!done.empty()) result["then"] = std::move(done);
+    const PathOf path_of = [&](const std::string& name) { return folder.path(name); };
+    extras.write(console, path_of, {before.model, before.cloud}, {after.model, after.cloud},
+                 forward, result);
     write_text_file(folder.path("comparison.json"),
                     result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
     folder.commit();
@@ -312,7 +299,8 @@ std::string tables_of_compare() {
                                  jalon_comparer_create, jalon_comparer_params) +
          "Parameters of --change-set:\n" + describe(make_params("diagnosis").get()) +
          "\nParameters of --sample-set, for a model on the compared side or two models:\n" +
-         describe(make_params("model_sample").get()) + "\n";
+         describe(make_params("model_sample").get()) + "\n" + Extras::tables() +
+         FieldSteps::tables();
 }
 
 }  // namespace
@@ -349,6 +337,11 @@ void add_compare(Command& app) {
       .option("--core", state->core.path,
               "Scan file of m3c2's core points: where its distances are measured")
       .type_name("SCAN");
+  command
+      .option(
+          "--m3c2-file", state->m3c2_file,
+          "Parameter file of CloudCompare's M3C2 plug-in, for method m3c2; --set goes before it")
+      .type_name("FILE");
   command.option("--threshold", state->threshold_m, "Distance (m) above which a point has changed")
       .positive();
   command.flag("--one-way", state->is_one_way,
@@ -373,6 +366,8 @@ void add_compare(Command& app) {
   state->settings.add_to(command);
   state->change_settings.add_to(command, "change-");
   state->sample_settings.add_to(command, "sample-");
+  state->extras.add_to(command);
+  state->steps.add_to(command);
   state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
@@ -392,7 +387,12 @@ void add_compare(Command& app) {
            "max_distance_m=1\n"
            "  jalon compare model.city.json scan.las -o as_built --set tolerance_m=0.01\n"
            "  jalon compare planned.obj built.obj -o models --sample-set spacing_m=0.02\n"
-           "  jalon compare march.las april.las -o creep --method m3c2 --set core_spacing_m=0.5";
+           "  jalon compare march.las april.las -o creep --method m3c2 --set core_spacing_m=0.5\n"
+           "  jalon compare before.e57 after.e57 -o slide --method landslide\n"
+           "  jalon compare march.las april.las -o pit --volumes --volume-set cell_m=0.5\n"
+           "  jalon compare march.las april.las -o tools --then classes --then \"noise_law "
+           "law=gauss\" "
+           "--then chi_square";
   });
   command.on_run([state] { state->run(); });
 }

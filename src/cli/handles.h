@@ -52,6 +52,7 @@ using ModelEvaluation =
     std::unique_ptr<jalon_model_evaluation, Release<jalon_model_evaluation_release>>;
 using Modeller = std::unique_ptr<jalon_modeller, Release<jalon_modeller_release>>;
 using Network = std::unique_ptr<jalon_network, Release<jalon_network_release>>;
+using NoiseLaw = std::unique_ptr<jalon_noise_law, Release<jalon_noise_law_release>>;
 using Params = std::unique_ptr<jalon_params, Release<jalon_params_release>>;
 using Registrar = std::unique_ptr<jalon_registrar, Release<jalon_registrar_release>>;
 using Registration = std::unique_ptr<jalon_registration, Release<jalon_registration_release>>;

@@ -103,7 +103,8 @@ bool is_whole(const std::string& text, int64_t& out) {
   return error == std::errc() && stop == last;
 }
 
-// Sets one value as people write it; what is wrong with it is told with the option as it was given.
+}  // namespace
+
 void assign(jalon_params* params, const std::string& option, const std::string& assignment) {
   const size_t equal = assignment.find('=');
   if (equal == std::string::npos || equal == 0)
@@ -138,8 +139,6 @@ void assign(jalon_params* params, const std::string& option, const std::string& 
   }
   if (set != JALON_OK) refuse(jalon_last_error_message());
 }
-
-}  // namespace
 
 void Settings::apply(jalon_params* params) const {
   for (const std::string& file : {json_file, short_json_file})

@@ -12,6 +12,9 @@
 
 namespace jalon::cli {
 
+/// Sets one parameter from "name=value" as people write it; what is wrong with it is told with the option as given.
+void assign(jalon_params* params, const std::string& option, const std::string& assignment);
+
 /// "--set name=value" and "--params FILE" of a command, applied to a parameter set.
 struct Settings {
   std::vector<std::string> assignments, short_assignments;  ///< the latter by "--set" alone

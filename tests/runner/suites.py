@@ -84,6 +84,7 @@ def release_suites():
         script("bits", "tests/scenarios/bits.sh", ["bits"]),
         script("cli", "tests/scenarios/cli.sh", ["jalon_cli"], [tool]),
         script("cli_stations", "tests/scenarios/cli_stations.sh", ["jalon_cli"], [tool]),
+        script("cli_compare", "tests/scenarios/cli_compare.sh", ["jalon_cli"], [tool]),
         script("cli_mistakes", "tests/scenarios/cli_mistakes.sh", ["jalon_cli"], [tool]),
         script("cli_names", "tests/scenarios/hostile_names.py", ["jalon_cli"], [tool]),
         script("cli_facades", "tests/scenarios/cli_facades.sh", ["jalon_cli"], [tool]),

@@ -30,6 +30,29 @@ void say_summary(const Console& console, const char* name, const Table& summary,
   console.say(line);
 }
 
+void say_landslide(const Console& console, const Table& summary, const Lengths& lengths) {
+  const std::string cubic = lengths.is_known() ? " m3" : " cubic units",
+                    square = lengths.is_known() ? " m2" : " square units";
+  const auto number = [&](const char* name, int decimals) {
+    return fixed(summary.number(name, 0), decimals);
+  };
+  const auto volume = [&](const char* name) {
+    return std::string(name) + " " + number(name, 2) + " +- " +
+           number((std::string(name) + "_sigma").c_str(), 2) + cubic;
+  };
+  console.say(volume("depletion") + ", " + volume("accumulation") + ", " + volume("net") +
+              " (one sigma)");
+  console.say("not measured: " + fixed(100 * summary.number("unmeasured_share", 0), 1) +
+              " % of the area; " + number("unmeasured_reference", 1) + square +
+              " in the reference, " + number("unmeasured_compared", 1) + square +
+              " in the compared epoch, " + number("unmeasured_both", 1) + square +
+              " in either; no volume holds them");
+  if (summary.number("open_boundary", 0) > 0)
+    console.say("of " + number("boundary", 1) + " " + lengths.length() + " of boundary " +
+                number("open_boundary", 1) +
+                " run along ground that was not measured: the slide may go on there");
+}
+
 void list_changes(const Console& console, const Table& changes, const Lengths& lengths) {
   console.say("change  class                       confidence" +
               lengths.heading("area before, after", "m2", 23) +

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "cli/options.h"
+#include "cli/table.h"
+
+namespace jalon::cli {
+
+/// Where a file of this name is to be written, in the folder of the results.
+using PathOf = std::function<std::string(const std::string& name)>;
+
+/// What comparing one way gave.
+struct Direction {
+  Comparison comparison;
+  Fields points;  ///< "changed", "region" and, both ways, "change"
+  std::unique_ptr<Table> summary;
+
+  static Direction of(Comparison made) {
+    Direction out;
+    out.comparison = std::move(made);
+    Fields summary;
+    must(jalon_comparison_summary(out.comparison.get(), Out(summary)));
+    out.summary = std::make_unique<Table>(std::move(summary));
+    return out;
+  }
+
+  /// The points with their distances and what else is known of each.
+  Cloud cloud() const {
+    Cloud out;
+    must(jalon_comparison_cloud(comparison.get(), Out(out)));
+    uint64_t columns = 0;
+    must(jalon_fields_count(points.get(), &columns));
+    for (uint64_t i = 0; i < columns; ++i) {
+      jalon_field_info info{};
+      info.struct_size = sizeof info;
+      must(jalon_fields_info(points.get(), i, &info));
+      jalon_array_view view;
+      must(jalon_fields_view(points.get(), info.name, &view));
+      must(jalon_cloud_set_field(out.get(), info.name, view.data, view.type, view.components,
+                                 view.count, view.stride_bytes, info.unit, info.meaning));
+    }
+    return out;
+  }
+};
+
+/// As NAME.las and NAME.ply.
+inline void write_both(const Console& console, const PathOf& path_of, const Cloud& cloud,
+                       const std::string& name) {
+  for (const char* extension : {".las", ".ply"})
+    must(
+        jalon_cloud_write(cloud.get(), path_of(name + extension).c_str(), nullptr, console.task()));
+}
+
+}  // namespace jalon::cli
