@@ -17,8 +17,8 @@
 
 namespace jalon::test {
 
-/// Shapes of what moved. Those of the developed seeds are a bowl and a lobe below it; the reported ones are others.
-enum class SlideKind { kBowl, kSlump, kFlow, kLobes };
+/// Shapes of what moved.
+enum class SlideKind { kBowl, kSlump, kFlow, kLobes, kSteps, kWedge };
 
 struct SlideScene {
   static constexpr double kWidth_m = 60, kDepth_m = 48, kMesh_m = 0.25;
@@ -104,6 +104,16 @@ struct SlideScene {
         t *= 1 + 0.3 * std::sin(3 * std::atan2(tv, tu) + toe.u);
         return -scar_m * std::sqrt(bowl(s)) + toe_m * std::sqrt(bowl(t));
       }
+      case SlideKind::
+          kSteps: {  // three blocks, each sunk deeper than the one above, and their rubble
+        const double block =
+            std::abs(su) < 1 && std::abs(sv) < 1 ? std::floor((1 - sv) * 1.5) + 1 : 0;
+        return -scar_m * block / 3 + toe_m * bowl(std::max(std::abs(tu), std::abs(tv)));
+      }
+      case SlideKind::kWedge: {  // a wedge out of the slope, deepest on its axis, and a cone below
+        const double inside = std::min(1 - std::abs(su) - 0.5 * (1 + sv), 1 + sv) / 1.5;
+        return -scar_m * std::clamp(inside * 1.5, 0.0, 1.0) + toe_m * std::max(0.0, 1 - t);
+      }
     }
     return 0;
   }
@@ -126,14 +136,14 @@ struct SlideScene {
   Vec3 boulder_middle(const Vec2& at, bool after) const {
     return {at.u, at.v, ground_m(at.u, at.v, after) + 0.2};
   }
-  /// With the boulders, which are ground too: those on what moved went away with it.
-  double surface_m(double x, double y, bool after) const {
-    double out = ground_m(x, y, after);
+  /// How far a boulder rises over the ground, for boulders are ground too: those on what moved went away with it.
+  double boulder_over_m(double x, double y, double ground, bool after) const {
+    double out = 0;
     for (const Vec2& at : boulders) {
       const double rest =
           kBoulder_m * kBoulder_m - (x - at.u) * (x - at.u) - (y - at.v) * (y - at.v);
       if (rest > 0 && has_boulder(at, after))
-        out = std::max(out, boulder_middle(at, after).z + std::sqrt(rest));
+        out = std::max(out, boulder_middle(at, after).z + std::sqrt(rest) - ground);
     }
     return out;
   }

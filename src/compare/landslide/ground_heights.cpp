@@ -16,7 +16,8 @@ namespace {
 
 constexpr size_t kHeightGrain = 1024;
 constexpr uint32_t kSide = 3, kParts = kSide * kSide;  // parts of a cell
-constexpr double kFewestParts = 3;                     // that fix a mean with a scatter
+// Nearly half: what is seen of less of a cell in a shadow's border says little of the rest, which may lie deeper.
+constexpr double kFewestParts = 4;
 // A micrometre: files tell no finer, and points without any scatter are none the better for it.
 constexpr double kLeastVariance_m2 = 1e-12;
 
@@ -81,7 +82,7 @@ class GroundMeasurer {
   void measure(size_t cell, GroundHeights& out) const {
     out.points[cell] = points_.count(cell);
     out.height[cell] = kNaN;
-    out.variance[cell] = 0;
+    out.variance[cell] = out.gap_sigma[cell] = 0;
     if (out.points[cell] < min_points_) return;
     double base = kNaN;  // heights are summed about the first
     const GroundParts parts = parts_of(cell, cell, base);
@@ -103,6 +104,7 @@ class GroundMeasurer {
     for (size_t k = 0; k < kParts; ++k)
       if (parts[k].n > 0) aside_parts2 += squared_aside(parts[k].mean(), k);
     const double empty = 1 - m / kParts;
+    out.gap_sigma[cell] = empty * std::sqrt(slope.roughness2 * (1 + 1 / m));
     const double aside2 = middle.x * middle.x + middle.y * middle.y;
     out.height[cell] = base + height;
     out.variance[cell] = kLeastVariance_m2 + empty * slope.roughness2 / m +

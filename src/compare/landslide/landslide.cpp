@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/table_columns.h"
+#include "compare/landslide/cell_map.h"
 #include "compare/landslide/cell_table.h"
 #include "compare/landslide/ground_grid.h"
 #include "compare/landslide/moved_zones.h"
@@ -28,15 +29,24 @@ struct Slope {
   std::vector<size_t> rows;
 };
 
-GroundChange change_of(const SurveyedCells& cells, const GroundHeights& before,
-                       const GroundHeights& after) {
+// Beside ground without points a cell is seen in part, and the rest lies to one side.
+double variance_of(const VolumeGrid& grid, const GroundHeights& ground, size_t cell) {
+  bool is_border = false;
+  for_each_around(grid, cell,
+                  [&](size_t other) { is_border = is_border || std::isnan(ground.height[other]); });
+  const double gap = is_border ? ground.gap_sigma[cell] : 0;
+  return ground.variance[cell] + gap * gap;
+}
+
+GroundChange change_of(const VolumeGrid& grid, const SurveyedCells& cells,
+                       const GroundHeights& before, const GroundHeights& after) {
   const size_t n = cells.is_inside.size();
   GroundChange out{std::vector<double>(n, kNaN), std::vector<double>(n, kNaN)};
   for (size_t cell = 0; cell < n; ++cell) {
     const double difference = after.height[cell] - before.height[cell];
     if (cells.is_inside[cell] == 0 || std::isnan(difference)) continue;
     out.difference[cell] = difference;
-    out.sigma[cell] = std::sqrt(before.variance[cell] + after.variance[cell]);
+    out.sigma[cell] = std::sqrt(variance_of(grid, before, cell) + variance_of(grid, after, cell));
   }
   return out;
 }
@@ -157,7 +167,7 @@ Comparison compare_landslide(const CloudPtr& reference, const CloudPtr& compared
     slope.cells = surveyed_cells(slope.grid, before, after, reference, compared, settings, task);
   }
   const ProgressSpan span(task, 0.9, 1, "zones that moved");
-  slope.change = change_of(slope.cells, before, after);
+  slope.change = change_of(slope.grid, slope.cells, before, after);
   slope.zones = moved_zones(slope.grid, slope.change, settings);
   for (size_t cell = 0; cell < slope.grid.cells(); ++cell)
     if (slope.cells.is_inside[cell] != 0 && !std::isnan(slope.cells.place_m[cell]))

@@ -40,13 +40,32 @@ void measure_boundary(const CellTable& cells, ZoneMeasure& zone) {
     }
 }
 
-/// Cells of either sign or of all.
-struct ZoneTotal {
-  double volume = 0, variance = 0, volume_area = 0, area = 0, boundary = 0, open = 0;
+/// What the cells of a volume are worth together. At the border of ground that was not measured what a cell hides lies
+/// to the same side as in the next one: such errors add up, those of the others by their squares.
+struct VolumeError {
+  double variance = 0, border = 0, area = 0;
 
-  double sigma(double systematic_m) const {
-    return std::sqrt(variance + volume_area * systematic_m * (volume_area * systematic_m));
+  void add(const CellTable& cells, size_t row) {
+    const double a = cells.cell_area_m2(), own = a * cells.sigma[row];
+    area += a;
+    for (const auto& [columns, rows] : kAroundCell) {
+      const size_t other = cells.beside(row, columns, rows);
+      if (other != CellTable::kNone && cells.is_measured(other)) continue;
+      border += own;
+      return;
+    }
+    variance += own * own;
   }
+  double sigma(double systematic_m) const {
+    const double shared = area * systematic_m;
+    return std::sqrt(variance + border * border + shared * shared);
+  }
+};
+
+/// Zones of either sign or of all.
+struct ZoneTotal {
+  double volume = 0, area = 0, boundary = 0, open = 0;
+  VolumeError error;
 };
 
 // Cells not measured that hang together with one beside a zone.
@@ -109,21 +128,19 @@ std::vector<ZoneMeasure> zone_measures(const CellTable& cells) {
   for (const uint32_t label : cells.zone) count = std::max(count, label);
   std::vector<ZoneMeasure> out(count);
   const std::vector<uint32_t> owners = owners_of(cells);
-  std::vector<double> variances(count, 0), areas(count, 0);
+  std::vector<VolumeError> errors(count);
   const double a = cells.cell_area_m2();
   for (size_t i = 0; i < cells.size(); ++i) {
     if (cells.zone[i] != 0) out[cells.zone[i] - 1].rows.push_back(static_cast<uint32_t>(i));
     if (owners[i] == 0 || !std::isfinite(cells.distance[i])) continue;
     out[owners[i] - 1].volume_m3 += a * cells.distance[i];
-    variances[owners[i] - 1] += a * a * cells.sigma[i] * cells.sigma[i];
-    areas[owners[i] - 1] += a;
+    errors[owners[i] - 1].add(cells, i);
   }
   for (uint32_t k = 0; k < count; ++k) {
     ZoneMeasure& zone = out[k];
     zone.zone = k + 1;
     zone.area_m2 = a * static_cast<double>(zone.rows.size());
-    const double shared = areas[k] * cells.systematic_m;
-    zone.volume_sigma_m3 = std::sqrt(variances[k] + shared * shared);
+    zone.volume_sigma_m3 = errors[k].sigma(cells.systematic_m);
     measure_boundary(cells, zone);
   }
   return out;
@@ -144,23 +161,20 @@ void add_totals(Comparison& comparison) {
     }
   }
   const std::vector<uint32_t> owners = owners_of(cells);
-  const double a = cells.cell_area_m2();
   for (size_t i = 0; i < cells.size(); ++i) {
     if (owners[i] == 0 || !std::isfinite(cells.distance[i])) continue;
-    for (ZoneTotal* total : {is_gone[owners[i]] != 0 ? &gone : &came, &net}) {
-      total->variance += a * a * cells.sigma[i] * cells.sigma[i];
-      total->volume_area += a;
-    }
+    for (ZoneTotal* total : {is_gone[owners[i]] != 0 ? &gone : &came, &net})
+      total->error.add(cells, i);
   }
   FieldTable& summary = comparison.summary;
   const auto add = [&](const std::string& name, const char* unit, const char* meaning,
                        double value) { add_value<double>(summary, name, unit, meaning, value); };
   add("depletion", "m3", "of the zones that went down", -gone.volume);
-  add("depletion_sigma", "m3", "its standard deviation", gone.sigma(cells.systematic_m));
+  add("depletion_sigma", "m3", "its standard deviation", gone.error.sigma(cells.systematic_m));
   add("accumulation", "m3", "of the zones that rose", came.volume);
-  add("accumulation_sigma", "m3", "its standard deviation", came.sigma(cells.systematic_m));
+  add("accumulation_sigma", "m3", "its standard deviation", came.error.sigma(cells.systematic_m));
   add("net", "m3", "accumulation less depletion", net.volume);
-  add("net_sigma", "m3", "its standard deviation", net.sigma(cells.systematic_m));
+  add("net_sigma", "m3", "its standard deviation", net.error.sigma(cells.systematic_m));
   add("depletion_area", "m2", "of the zones that went down", gone.area);
   add("accumulation_area", "m2", "of the zones that rose", came.area);
   add("boundary", "m", "of all zones", net.boundary);
