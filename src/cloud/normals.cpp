@@ -49,9 +49,11 @@ void require_station_poses(const Cloud& cloud) {
 std::span<const ParamRow> normals_rows() {
   using S = NormalsSettings;
   static constexpr auto kRows = setting_rows(
-      choice_row<&S::method>("method", "pca|quadric|triangulation", "",
-                             "pca: plane through the neighbours; quadric: curved surface through "
-                             "them; triangulation: quick preview"),
+      choice_row<&S::method>(
+          "method", "pca|quadric|triangulation", "",
+          "pca: plane through the neighbours; quadric: curved surface through "
+          "them; triangulation: of the points of an octree cell, rougher than pca and "
+          "no faster"),
       integer_row<&S::k>("k", 3, 256, "points", "pca,quadric",
                          "Number of nearest neighbours, the point itself included; not read when "
                          "radius_m is above 0"),

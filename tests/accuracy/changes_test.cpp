@@ -110,7 +110,7 @@ void score_motion(const Diagnosis& found, const Transform& truth, const CloudPtr
   }
 }
 
-void move_box(uint64_t seed, double turn_deg, double along_m, Moved& moved) {
+void move_box(uint64_t seed, double turn_deg, double along_m, ChangeClass truth, Moved& moved) {
   RandomStream random(seed, 7);
   const double turned_deg = 360 * random.uniform(), y = random.uniform() - 0.5,
                x = random.uniform() - 0.5;
@@ -124,7 +124,7 @@ void move_box(uint64_t seed, double turn_deg, double along_m, Moved& moved) {
   const CloudPtr before = scanned(scene.before, stations, 2 * seed);
   const CloudPtr after = scanned(scene.after, stations, 2 * seed + 1);
   const Diagnosis found = diagnosed(before, after, {});
-  score(found, {{2, ChangeClass::kDisplacementOverlap}}, before, after, moved.tally);
+  score(found, {{2, truth}}, before, after, moved.tally);
   score_motion(found, place * step * inverse(place), before, moved);
 }
 
@@ -147,14 +147,23 @@ void report(const char* name, const Moved& moved) {
 
 TEST_CASE("S7__a_box_turned_on_the_floor_is_displaced_with_overlap") {
   Moved moved;
-  for (uint64_t seed = 1; seed <= runs(); ++seed) move_box(seed, 25, 0, moved);
+  for (uint64_t seed = 1; seed <= runs(); ++seed)
+    move_box(seed, 25, 0, ChangeClass::kDisplacementOverlap, moved);
   report("S7 turned by 25 degrees", moved);
 }
 
 TEST_CASE("S7__a_box_pushed_along_its_length_is_displaced_with_overlap") {
   Moved moved;
-  for (uint64_t seed = 1; seed <= runs(); ++seed) move_box(seed, 0, 0.7, moved);
+  for (uint64_t seed = 1; seed <= runs(); ++seed)
+    move_box(seed, 0, 0.7, ChangeClass::kDisplacementOverlap, moved);
   report("S7 pushed by 0.7 m", moved);
+}
+
+TEST_CASE("S7__a_box_carried_clear_of_its_place_is_displaced_without_overlap") {
+  Moved moved;
+  for (uint64_t seed = 1; seed <= runs(); ++seed)
+    move_box(seed, 15, 2.6, ChangeClass::kDisplacement, moved);
+  report("S7 carried", moved);
 }
 
 TEST_CASE("S8__boxes_of_a_toy_city_appear_and_disappear") {

@@ -324,6 +324,7 @@ static const struct {
     {"gaussian", op_gaussian},
     {"geodesic", op_geodesic},
     {"m3c2", op_m3c2},
+    {"landslide", op_landslide},
     {"distance", op_distance},
     {"model distance", op_model_distance},
     {"regions", op_regions},

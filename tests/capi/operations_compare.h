@@ -72,6 +72,10 @@ static inline jalon_status op_compare(const char* method, const char* json,
 static inline jalon_status op_m3c2(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return op_compare("m3c2", "{\"core_spacing_m\": 0.1}", cloud, task, out);
 }
+static inline jalon_status op_landslide(const jalon_cloud* cloud, jalon_task* task, made* out) {
+  return op_compare("landslide", "{\"direction\": [0, -1, 0], \"cell_m\": 0.5, \"min_points\": 3}",
+                    cloud, task, out);
+}
 static inline jalon_status op_distance(const jalon_cloud* cloud, jalon_task* task, made* out) {
   return op_compare("distance", "{\"local_model\": \"plane\", \"differences\": true}", cloud, task,
                     out);

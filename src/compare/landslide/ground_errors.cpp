@@ -7,12 +7,14 @@
 
 #include "base/distributions.h"
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "compare/landslide/cell_map.h"
 
 namespace jalon {
 
 namespace {
 
+constexpr size_t kSmoothingGrain = 1 << 13;
 constexpr double kCalmShare = 0.25;    // while it is not known which cells moved: these did not
 constexpr uint32_t kBlockSide = 8;     // cells of a block, whose mean tells what they share
 constexpr size_t kFewestInBlock = 16;  // a quarter of it
@@ -95,23 +97,25 @@ double systematic_of(const GroundBlocks& blocks, double scale, double share) {
 
 }  // namespace
 
-SmoothedChange smoothed(const VolumeGrid& grid, const GroundChange& change) {
+SmoothedChange smoothed(const VolumeGrid& grid, const GroundChange& change, Task& task) {
   const size_t n = change.difference.size();
   SmoothedChange out{std::vector<double>(n, kNaN), std::vector<double>(n, kNaN)};
-  for (size_t cell = 0; cell < n; ++cell) {
-    if (!change.is_measured(cell)) continue;
-    double sum = 0, weight = 0;
-    const auto add = [&](size_t at) {
-      if (!change.is_measured(at)) return;
-      const double own = 1 / (change.sigma[at] * change.sigma[at]);
-      sum += own * change.difference[at];
-      weight += own;
-    };
-    add(cell);
-    for_each_around(grid, cell, add);
-    out.mean_m[cell] = sum / weight;
-    out.sigma_m[cell] = 1 / std::sqrt(weight);
-  }
+  parallel_for(task, n, kSmoothingGrain, [&](size_t begin, size_t end) {
+    for (size_t cell = begin; cell < end; ++cell) {
+      if (!change.is_measured(cell)) continue;
+      double sum = 0, weight = 0;
+      const auto add = [&](size_t at) {
+        if (!change.is_measured(at)) return;
+        const double own = 1 / (change.sigma[at] * change.sigma[at]);
+        sum += own * change.difference[at];
+        weight += own;
+      };
+      add(cell);
+      for_each_around(grid, cell, add);
+      out.mean_m[cell] = sum / weight;
+      out.sigma_m[cell] = 1 / std::sqrt(weight);
+    }
+  });
   return out;
 }
 

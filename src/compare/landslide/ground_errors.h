@@ -31,7 +31,7 @@ struct GroundErrors {
 struct SmoothedChange {
   std::vector<double> mean_m, sigma_m;
 };
-SmoothedChange smoothed(const VolumeGrid& grid, const GroundChange& change);
+SmoothedChange smoothed(const VolumeGrid& grid, const GroundChange& change, Task& task);
 
 /// From the measured cells that have not moved. moved: not 0 where it has, or may have; empty: not known yet, the
 /// scales are then those of the calmest quarter of the cells.

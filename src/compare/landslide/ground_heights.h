@@ -24,9 +24,9 @@ struct GroundHeights {
 /// place: 1. the mean of each part with points; 2. the slope, by the parts of the cell and of the eight around it; 3.
 /// the mean of the parts, brought to the cell's middle by that slope. Its variance is that of a sample of nine parts
 /// without replacement (Cochran 1977, 2.5: roughness where parts are empty), of the scatter within the parts, of the
-/// roughness where the points of a part lie aside, and of the slope. The sigma of a gap takes all parts without points for
-/// one place as far off the plane as parts are. Not measured: fewer than min_points points, or
-/// fewer than four parts with some.
+/// roughness where the points of a part lie aside, and of the slope. The sigma of a gap takes all parts without points
+/// for one place as far off the plane as parts are. Not measured: fewer than min_points points, or fewer than four
+/// parts with some.
 GroundHeights ground_heights(const Cloud& cloud, const VolumeGrid& grid, uint32_t min_points,
                              Task& task);
 

@@ -168,7 +168,7 @@ Comparison compare_landslide(const CloudPtr& reference, const CloudPtr& compared
   }
   const ProgressSpan span(task, 0.9, 1, "zones that moved");
   slope.change = change_of(slope.grid, slope.cells, before, after);
-  slope.zones = moved_zones(slope.grid, slope.change, settings);
+  slope.zones = moved_zones(slope.grid, slope.change, settings, task);
   for (size_t cell = 0; cell < slope.grid.cells(); ++cell)
     if (slope.cells.is_inside[cell] != 0 && !std::isnan(slope.cells.place_m[cell]))
       slope.rows.push_back(cell);

@@ -7,12 +7,14 @@
 #include <numeric>
 
 #include "base/distributions.h"
+#include "base/parallel.h"
 #include "compare/landslide/cell_map.h"
 
 namespace jalon {
 
 namespace {
 
+constexpr size_t kZoneGrain = 1 << 13;
 constexpr double kFewestCells = 3;  // of a zone: fewer are a boulder
 constexpr double kMeanCells = 9;    // of a mean: as many cells make one test
 constexpr int kRestMargin = 2;      // cells about a zone that do not count as ground at rest
@@ -35,9 +37,11 @@ class ZoneFinder {
     own_ = normal_quantile(1 - alpha);  // of one sign
   }
 
-  std::vector<uint32_t> labels(uint32_t& count) const {
-    std::vector<int8_t> sides = sides_of_cells();
+  std::vector<uint32_t> labels(uint32_t& count, Task& task) const {
+    std::vector<int8_t> sides = sides_of_cells(task);
+    task.checkpoint(0.6);
     fill_and_trim(sides);
+    task.checkpoint(0.8);
     return connected(sides, count);
   }
 
@@ -53,20 +57,21 @@ class ZoneFinder {
   }
 
   // -1: down, 1: up, 0: neither. Grown from the cores cell by cell.
-  std::vector<int8_t> sides_of_cells() const {
+  std::vector<int8_t> sides_of_cells(Task& task) const {
     const size_t n = change_.difference.size();
     std::vector<int8_t> candidate(n, 0), out(n, 0);
+    parallel_for(task, n, kZoneGrain, [&](size_t begin, size_t end) {
+      for (size_t cell = begin; cell < end; ++cell) {
+        if (!change_.is_measured(cell)) continue;
+        const double mean = smoothed_deviate(cell),
+                     own = deviate(change_.difference[cell], change_.sigma[cell]);
+        candidate[cell] = mean > grown_ && own > own_ ? 1 : mean < -grown_ && own < -own_ ? -1 : 0;
+        if (std::abs(mean) >= core_) out[cell] = candidate[cell];
+      }
+    });
     std::vector<size_t> open;
-    for (size_t cell = 0; cell < n; ++cell) {
-      if (!change_.is_measured(cell)) continue;
-      const double mean = smoothed_deviate(cell),
-                   own = deviate(change_.difference[cell], change_.sigma[cell]);
-      const int8_t side = mean > grown_ && own > own_ ? 1 : mean < -grown_ && own < -own_ ? -1 : 0;
-      candidate[cell] = side;
-      if (side == 0 || std::abs(mean) < core_) continue;
-      out[cell] = side;
-      open.push_back(cell);
-    }
+    for (size_t cell = 0; cell < n; ++cell)
+      if (out[cell] != 0) open.push_back(cell);
     while (!open.empty()) {
       const size_t cell = open.back();
       open.pop_back();
@@ -166,15 +171,15 @@ std::vector<uint8_t> near_zones(const VolumeGrid& grid, std::span<const uint32_t
 }  // namespace
 
 MovedZones moved_zones(const VolumeGrid& grid, const GroundChange& change,
-                       const LandslideSettings& settings) {
-  const SmoothedChange smooth = smoothed(grid, change);
+                       const LandslideSettings& settings, Task& task) {
+  const SmoothedChange smooth = smoothed(grid, change, task);
   MovedZones out;
   out.errors = ground_errors(grid, change, smooth, {});
-  out.labels = ZoneFinder(grid, change, smooth, settings, out.errors).labels(out.count);
+  out.labels = ZoneFinder(grid, change, smooth, settings, out.errors).labels(out.count, task);
   constexpr int kPasses = 2;
   for (int pass = 0; pass < kPasses; ++pass) {
     out.errors = ground_errors(grid, change, smooth, near_zones(grid, out.labels));
-    out.labels = ZoneFinder(grid, change, smooth, settings, out.errors).labels(out.count);
+    out.labels = ZoneFinder(grid, change, smooth, settings, out.errors).labels(out.count, task);
   }
   return out;
 }

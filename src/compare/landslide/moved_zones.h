@@ -22,6 +22,6 @@ struct MovedZones {
 /// the mean over nine and the cell itself go the same way beyond theirs (hysteresis; Canny 1986). Errors are those of
 /// the ground that has not moved: twice, for that is only known then.
 MovedZones moved_zones(const VolumeGrid& grid, const GroundChange& change,
-                       const LandslideSettings& settings);
+                       const LandslideSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -60,9 +60,10 @@ std::vector<uint8_t> with_points_or_enclosed(const VolumeGrid& grid, const Groun
 
 // Cells that were filled become the mean of those around, over and over: the membrane between the measured ones.
 void relax_places(const VolumeGrid& grid, const std::vector<size_t>& filled,
-                  std::vector<double>& place_m) {
+                  std::vector<double>& place_m, Task& task) {
   std::vector<double> next(filled.size());
   for (int sweep = 0; sweep < kRelaxations; ++sweep) {
+    task.checkpoint(0);
     for (size_t k = 0; k < filled.size(); ++k) {
       double sum = 0, n = 0;
       for_each_around(grid, filled[k], [&](size_t other) {
@@ -76,7 +77,7 @@ void relax_places(const VolumeGrid& grid, const std::vector<size_t>& filled,
 }
 
 // Ring by ring, each cell the mean of those around that are known.
-void fill_places(const VolumeGrid& grid, std::vector<double>& place_m) {
+void fill_places(const VolumeGrid& grid, std::vector<double>& place_m, Task& task) {
   std::vector<size_t> filled;
   std::vector<size_t> ring;
   const auto is_known = [&](size_t cell) { return place_m[cell] == place_m[cell]; };
@@ -89,6 +90,7 @@ void fill_places(const VolumeGrid& grid, std::vector<double>& place_m) {
     if (!is_known(cell) && has_known_neighbour(cell)) ring.push_back(cell);
   std::vector<uint8_t> is_listed(place_m.size(), 0);
   while (!ring.empty()) {
+    task.checkpoint(0);
     std::vector<double> heights;
     for (const size_t cell : ring) {
       double sum = 0, n = 0;
@@ -110,7 +112,7 @@ void fill_places(const VolumeGrid& grid, std::vector<double>& place_m) {
       });
     ring = std::move(next);
   }
-  relax_places(grid, filled, place_m);
+  relax_places(grid, filled, place_m, task);
 }
 
 // What became of an epoch's cells without ground.
@@ -153,7 +155,7 @@ SurveyedCells surveyed_cells(const VolumeGrid& grid, const GroundHeights& before
   out.place_m.resize(grid.cells());
   for (size_t cell = 0; cell < grid.cells(); ++cell)
     out.place_m[cell] = std::isnan(after.height[cell]) ? before.height[cell] : after.height[cell];
-  fill_places(grid, out.place_m);
+  fill_places(grid, out.place_m, task);
   {
     const ProgressSpan span(task, 0, 0.5, "what the reference's scanners saw");
     tell_why(grid, before, reference, settings, out, out.reference, task);

@@ -3,7 +3,7 @@
 #include "report/pages/landslide_sections.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string>
 
 #include "compare/landslide/cell_table.h"
@@ -15,24 +15,24 @@ namespace jalon {
 
 namespace {
 
-constexpr std::array kToldOfLandslide = {"depletion",
-                                         "depletion_sigma",
-                                         "accumulation",
-                                         "accumulation_sigma",
-                                         "net",
-                                         "net_sigma",
-                                         "depletion_area",
-                                         "accumulation_area",
-                                         "boundary",
-                                         "open_boundary",
-                                         "measured_area",
-                                         "unmeasured_reference",
-                                         "unmeasured_compared",
-                                         "unmeasured_both",
-                                         "unmeasured_hidden",
-                                         "unmeasured_beside_zones",
-                                         "unmeasured_share",
-                                         "cell"};
+constexpr const char* kToldOfLandslide[] = {"depletion",
+                                            "depletion_sigma",
+                                            "accumulation",
+                                            "accumulation_sigma",
+                                            "net",
+                                            "net_sigma",
+                                            "depletion_area",
+                                            "accumulation_area",
+                                            "boundary",
+                                            "open_boundary",
+                                            "measured_area",
+                                            "unmeasured_reference",
+                                            "unmeasured_compared",
+                                            "unmeasured_both",
+                                            "unmeasured_hidden",
+                                            "unmeasured_beside_zones",
+                                            "unmeasured_share",
+                                            "cell"};
 
 // Rows of the table of volumes, and of the table of what was not measured.
 struct ToldVolume {
@@ -56,8 +56,8 @@ constexpr ToldArea kAreas[] = {
 }  // namespace
 
 bool is_told_of_landslide(std::string_view name) {
-  return std::find(kToldOfLandslide.begin(), kToldOfLandslide.end(), name) !=
-         kToldOfLandslide.end();
+  return std::any_of(std::begin(kToldOfLandslide), std::end(kToldOfLandslide),
+                     [&](const char* told) { return name == told; });
 }
 
 void add_landslide(Page& page, const Comparison& comparison) {

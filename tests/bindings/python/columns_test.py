@@ -77,6 +77,10 @@ class Columns(unittest.TestCase):
             comparison = jalon.Comparer(method).run(cloud, higher)
             yield "Comparison", "points", comparison.points
             yield "Comparison", "summary", comparison.summary
+        slide = jalon.Comparer("landslide", cell_m=2, direction=(0, 0, 1), min_points=3).run(cloud, higher)
+        for owner, member, table in (("Comparison", "points", slide.points), ("Comparison", "summary", slide.summary),
+                                     ("ComparisonRegions", "regions", slide.regions().regions)):
+            yield owner, member, table
         to_model = jalon.Comparer().run_model(box_model(), cloud)
         yield "Comparison", "points", to_model.points
         yield "Comparison", "summary", to_model.summary

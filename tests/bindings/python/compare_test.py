@@ -74,6 +74,24 @@ class Compare(unittest.TestCase):
         both = self.forward.outlines(found.forward, self.reverse, found.reverse, found.changes)
         self.assertGreaterEqual(len(both.faces), 1)
 
+    def python__a_landslide_is_told_with_its_sigma_and_what_was_not_measured(self):
+        random = np.random.default_rng(5)
+        before, after = (random.uniform((0, 0, 0), (30, 30, 0), (40000, 3)) for _ in range(2))
+        for points in (before, after):
+            points[:, 2] = 0.4 * points[:, 1] + random.normal(0, 0.01, len(points))
+        went = (np.abs(after[:, 0] - 15) < 5) & (np.abs(after[:, 1] - 15) < 5)
+        after[went, 2] -= 0.5
+        after = after[(after[:, 0] < 25) | (after[:, 1] > 5)]  # a corner that was not scanned again
+        slide = jalon.Comparer("landslide", cell_m=1).run(jalon.Cloud(before), jalon.Cloud(after))
+        self.assertLess(abs(slide.summary.depletion - 50), 4 * slide.summary.depletion_sigma)
+        self.assertEqual(slide.summary.accumulation, 0)
+        self.assertAlmostEqual(slide.summary.unmeasured_compared, 25, delta=3)
+        points, regions = slide.regions()
+        self.assertLess(regions[0].mean, 0)
+        self.assertGreater(regions[0].volume_sigma, 0)
+        names = [part.name for part in slide.outlines(points)]
+        self.assertIn("not measured in the compared epoch", names)
+
     def python__volumes_of_heaps_are_told(self):
         self.assertAlmostEqual(self.before.volume(self.after, cell_m=0.1).summary.fill, 0.01 * (self.after.points[:, 2] > 0).sum(), places=6)
 

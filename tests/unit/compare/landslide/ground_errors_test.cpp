@@ -27,12 +27,13 @@ GroundChange resting_cells(const VolumeGrid& grid, double scale, double off_m) {
 }  // namespace
 
 TEST_CASE("ground_errors__tell_scale_and_what_all_cells_share_apart") {
+  Task task;
   const VolumeGrid grid = plain_grid(80, 80);
   for (const auto& told : {std::pair{1.0, 0.0}, {2.0, 0.0}, {1.0, 0.01}, {2.0, 0.02}}) {
     const double scale = told.first, off_m = told.second;
     const GroundChange change = resting_cells(grid, scale, off_m);
     const std::vector<uint8_t> none(grid.cells(), 0);
-    const GroundErrors found = ground_errors(grid, change, smoothed(grid, change), none);
+    const GroundErrors found = ground_errors(grid, change, smoothed(grid, change, task), none);
     CAPTURE(scale);
     CAPTURE(off_m);
     CHECK(found.scale == doctest::Approx(scale).epsilon(0.1));
@@ -42,10 +43,11 @@ TEST_CASE("ground_errors__tell_scale_and_what_all_cells_share_apart") {
 }
 
 TEST_CASE("ground_errors__of_a_slope_half_of_which_moved_are_those_of_the_other_half") {
+  Task task;
   const VolumeGrid grid = plain_grid(80, 80);
   GroundChange change = resting_cells(grid, 1, 0);
   for (size_t cell = 0; cell < grid.cells() / 2; ++cell) change.difference[cell] -= 1;
-  const GroundErrors found = ground_errors(grid, change, smoothed(grid, change), {});
+  const GroundErrors found = ground_errors(grid, change, smoothed(grid, change, task), {});
   CHECK(found.scale < 1.6);
   CHECK(found.systematic_m < 0.002);
 }

@@ -28,8 +28,9 @@ GroundChange two_boxes(const VolumeGrid& grid, double down_m, double up_m) {
 }  // namespace
 
 TEST_CASE("moved_zones__are_of_one_sign_and_the_larger_one_first") {
+  Task task;
   const VolumeGrid grid = plain_grid(60, 50);
-  const MovedZones found = moved_zones(grid, two_boxes(grid, 0.1, 0.1), {});
+  const MovedZones found = moved_zones(grid, two_boxes(grid, 0.1, 0.1), {}, task);
   REQUIRE(found.count == 2);
   size_t first = 0, second = 0, astray = 0;
   for (size_t cell = 0; cell < grid.cells(); ++cell) {
@@ -44,20 +45,23 @@ TEST_CASE("moved_zones__are_of_one_sign_and_the_larger_one_first") {
 }
 
 TEST_CASE("moved_zones__see_what_only_many_cells_together_show") {
+  Task task;
   const VolumeGrid grid = plain_grid(60, 50);
-  const MovedZones found = moved_zones(grid, two_boxes(grid, 0.012, 0), {});  // 2.4 sigma a cell
+  const MovedZones found =
+      moved_zones(grid, two_boxes(grid, 0.012, 0), {}, task);  // 2.4 sigma a cell
   REQUIRE(found.count == 1);
   LandslideSettings settings;
   settings.min_area_m2 = 120;
-  CHECK(moved_zones(grid, two_boxes(grid, 0.012, 0), settings).count == 0);
+  CHECK(moved_zones(grid, two_boxes(grid, 0.012, 0), settings, task).count == 0);
   settings = {};
   settings.alignment_sigma_m = 0.01;
-  CHECK(moved_zones(grid, two_boxes(grid, 0.012, 0), settings).count == 0);
+  CHECK(moved_zones(grid, two_boxes(grid, 0.012, 0), settings, task).count == 0);
 }
 
 TEST_CASE("moved_zones__of_cells_without_measurements_are_none") {
+  Task task;
   const VolumeGrid grid = plain_grid(20, 20);
   const GroundChange none{std::vector<double>(grid.cells(), kNaN),
                           std::vector<double>(grid.cells(), kNaN)};
-  CHECK(moved_zones(grid, none, {}).count == 0);
+  CHECK(moved_zones(grid, none, {}, task).count == 0);
 }
