@@ -51,7 +51,7 @@ check "scan of the grammar takes a seed of the scene and stations of the user" b
 import json; t=json.load(open(\"one.truth.json\")); assert t[\"seed\"]==8, t[\"seed\"]
 assert any(o[\"area_seen_share\"]>0.5 for o in t[\"openings\"])'"
 check "--help has the parameters of every method" bash -c "
-for pair in segment:ransac segment:region_growing compare:distance compare:m3c2 compare:preview register:icp register:targets \
+for pair in segment:ransac segment:region_growing compare:distance compare:m3c2 compare:preview compare:landslide register:icp register:targets \
             register:coarse register:automatic model:outlines model:facade model:cell_decomposition model:extrusion model:region_growing scan:static; do
   '$jalon' \${pair%:*} --help | grep -q \"^Parameters of .* \${pair#*:}:\" || { echo \$pair; exit 1; }
 done"

@@ -59,7 +59,7 @@ judge "it tells zones, volumes and what was not measured" python3 -c '
 import csv, json
 d = json.load(open("slide/comparison.json"))
 s = d["summary"]
-assert s["accumulation"] > 0 and s["accumulation_sigma"] > 0 and abs(s["net"] - s["accumulation"] + s["depletion"]) < 1e-6
+assert s["depletion"] > 0 and s["depletion_sigma"] > 0 and abs(s["net"] - s["accumulation"] + s["depletion"]) < 1e-6
 all_m2 = s["measured_area"] + s["unmeasured_reference"] + s["unmeasured_compared"] + s["unmeasured_both"]
 assert abs(all_m2 - 54 * 33) < 60, all_m2
 assert abs(s["unmeasured_share"] - 1 + s["measured_area"] / all_m2) < 1e-9 and s["unmeasured_hidden"] > 0

@@ -31,7 +31,9 @@ constexpr auto kLandslideRows = setting_rows(
         "Standard deviation of the alignment of both epochs, the same everywhere; joins what the "
         "ground at rest shows of it."),
     number_row<&S::min_area_m2>("min_area_m2", 0, 1e12, "m2", "",
-                                "Smaller zones are dropped; 0 = three cells."),
+                                "Smaller zones are dropped, the cells beside them that were not "
+                                "measured counted; 0 = three "
+                                "cells."),
     choice_row<&S::stations>(
         "stations", "automatic|none", "",
         "Where the scanners stood, which tells why a cell was not measured: as the clouds say, "
