@@ -10,6 +10,7 @@
 #include "segment/plane_rows.h"
 #include "segment/raster/depth_image.h"
 #include "segment/raster/directions.h"
+#include "segment/raster/layers.h"
 #include "segment/raster/pixel_growth.h"
 #include "segment/raster_settings.h"
 #include "segment/settle/ending.h"
@@ -110,19 +111,18 @@ PixelRule rule_of(const RasterSettings& settings, const DepthImage& image, uint3
 }
 
 // The free points of the regions' pixels that lie in their planes; their number.
-size_t take_points(SegmentScene& scene, const DepthImage& image, const PixelRegions& regions,
+size_t take_points(SegmentScene& scene, const RasterLayers& layers, const PixelRegions& regions,
                    double tolerance_m, uint32_t first_id, Task& task) {
   const double cosine = scene.min_cosine();
-  return parallel_reduce(task, scene.size(), kRasterPointsPerChunk, size_t{0},
+  return parallel_reduce(task, layers.points(), kRasterPointsPerChunk, size_t{0},
                          [&](size_t begin, size_t end) {
                            size_t taken = 0;
-                           for (size_t i = begin; i < end; ++i) {
-                             if (scene.owner[i] != 0) continue;
-                             const Vec3 p = scene.local(i);
-                             const uint32_t label = regions.labels[image.pixel_of(p)];
+                           for (size_t k = begin; k < end; ++k) {
+                             const uint32_t label = regions.labels[layers.pixel(k)];
                              if (label == 0) continue;
+                             const size_t i = layers.position(k);
                              const Plane& plane = regions.planes[label - 1];
-                             if (std::fabs(plane.distance(p)) > tolerance_m ||
+                             if (std::fabs(plane.distance(scene.local(i))) > tolerance_m ||
                                  scene.inconsistent(i, plane.normal, cosine))
                                continue;
                              scene.owner[i] = first_id + label - 1;
@@ -132,28 +132,25 @@ size_t take_points(SegmentScene& scene, const DepthImage& image, const PixelRegi
                          });
 }
 
-size_t free_points_of(const SegmentScene& scene) {
-  return static_cast<size_t>(std::count(scene.owner.begin(), scene.owner.end(), 0u));
-}
-
 // One raster of the free points; how many points its planes took.
-size_t grow_one_raster(SegmentScene& scene, const RasterSettings& settings, const ImageAxes& axes,
-                       uint32_t& planes, Task& task) {
-  const size_t free = free_points_of(scene);
+size_t grow_one_raster(SegmentScene& scene, const RasterSettings& settings, RasterLayers& layers,
+                       PixelSeeds& seeds, uint32_t& planes, Task& task) {
+  const size_t free = layers.points();
   if (free < std::max<size_t>(3, settings.surface.min_points)) return 0;
-  const DepthImage image = [&] {
+  {
     ProgressSpan span(task, 0, 0.5);
-    return depth_image(scene, settings, axes, image_pixel_m(scene), task);
-  }();
-  const PixelRule rule = rule_of(settings, image, settings.surface.min_points, free);
+    layers.show(image_pixel_m(scene), task);
+  }
+  const PixelRule rule = rule_of(settings, layers.image(), settings.surface.min_points, free);
   const PixelRegions regions = [&] {
     ProgressSpan span(task, 0.5, 0.9);
-    return grow_pixels(image, rule, task);
+    seeds.look_at(layers.image(), rule, layers.changed(), task);
+    return grow_pixels(layers.image(), rule, seeds, task);
   }();
   ProgressSpan span(task, 0.9, 1);
-  const size_t taken = regions.planes.empty()
-                           ? 0
-                           : take_points(scene, image, regions, rule.tolerance_m, planes + 1, task);
+  if (regions.planes.empty()) return 0;
+  const size_t taken = take_points(scene, layers, regions, rule.tolerance_m, planes + 1, task);
+  layers.drop_taken();
   planes += static_cast<uint32_t>(regions.planes.size());
   return taken;
 }
@@ -164,13 +161,18 @@ uint32_t grow_all_rasters(SegmentScene& scene, const RasterSettings& settings, T
   const double parts = static_cast<double>(axes.size()) * settings.layers;
   const double least = settings.surface.min_points;
   uint32_t planes = 0;
-  for (size_t d = 0; d < axes.size(); ++d)
+  RasterLayers layers(scene, settings);
+  PixelSeeds seeds;
+  for (size_t d = 0; d < axes.size(); ++d) {
+    layers.look_along(axes[d]);
     for (uint32_t layer = 0; layer < settings.layers; ++layer) {
       const double part = static_cast<double>(d) * settings.layers + layer;
       ProgressSpan span(task, part / parts, (part + 1) / parts, "growing on rasters");
-      if (static_cast<double>(grow_one_raster(scene, settings, axes[d], planes, task)) < least)
+      if (static_cast<double>(grow_one_raster(scene, settings, layers, seeds, planes, task)) <
+          least)
         break;
     }
+  }
   return planes;
 }
 

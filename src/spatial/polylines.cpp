@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
+
+#include "spatial/node_cells.h"
 
 namespace jalon {
 
@@ -14,58 +15,10 @@ namespace {
 constexpr int kFilled =
     6;  // of the eight cells about a node: a line has two to four, and a corner five
 
-struct NodeCell {
-  int64_t column, row;
-  auto operator<=>(const NodeCell&) const = default;
-};
-
-// Places so far away share a cell: doubles tell no neighbours apart there, and whole numbers have an end.
-constexpr double kFarthestCell = 0x1p60;
-
-int64_t cell_number(double place_m, double cell_m) {
-  return static_cast<int64_t>(
-      std::clamp(std::floor(place_m / cell_m), -kFarthestCell, kFarthestCell));
-}
-
-NodeCell cell_at(const Vec2& p, double cell_m) {
-  return {cell_number(p.u, cell_m), cell_number(p.v, cell_m)};
-}
-
 double squared_between(const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;
   return d.u * d.u + d.v * d.v;
 }
-
-// Which node stands in a cell: open addressing, half full.
-class NodeTable {
- public:
-  static constexpr uint32_t kNoNode = 0xffffffffu;
-
-  explicit NodeTable(std::span<const NodeCell> cells)
-      : cells_(cells), slots_(std::bit_ceil(2 * cells.size() + 1), kNoNode) {
-    for (uint32_t node = 0; node < cells.size(); ++node) {
-      size_t slot = slot_of(cells[node]);
-      while (slots_[slot] != kNoNode) slot = next(slot);
-      slots_[slot] = node;
-    }
-  }
-  uint32_t at(const NodeCell& cell) const {
-    size_t slot = slot_of(cell);
-    while (slots_[slot] != kNoNode && cells_[slots_[slot]] != cell) slot = next(slot);
-    return slots_[slot];
-  }
-
- private:
-  size_t next(size_t slot) const { return (slot + 1) & (slots_.size() - 1); }
-  // Odd multipliers spread neighbours (Knuth 1998, 6.4); the high bits of the sum are the mixed ones.
-  size_t slot_of(const NodeCell& cell) const {
-    const uint64_t mixed = static_cast<uint64_t>(cell.column) * 0x9e3779b97f4a7c15ull +
-                           static_cast<uint64_t>(cell.row) * 0xc2b2ae3d27d4eb4full;
-    return static_cast<size_t>(mixed >> 32) & (slots_.size() - 1);
-  }
-  std::span<const NodeCell> cells_;
-  std::vector<uint32_t> slots_;
-};
 
 std::vector<NodeCell> cells_of(std::span<const ProfileNode> nodes, double cell_m) {
   std::vector<NodeCell> cells;
@@ -82,15 +35,17 @@ class Chainer {
         gap_m_(gap_m),
         cell_m_(cell_m),
         used_(nodes.size(), 0),
+        rings_(static_cast<int64_t>(std::ceil(gap_m / cell_m))),
         cells_(cells_of(nodes, cell_m)),
-        table_(cells_) {}
+        table_(cells_),
+        bits_(cells_, std::max<int64_t>(1, rings_)) {}
 
   std::vector<std::vector<uint32_t>> run() {
     std::vector<std::vector<uint32_t>> chains;
     leave_out_faces();
     for (uint32_t i = 0; i < nodes_.size(); ++i) {
       if (used_[i] != 0) continue;
-      used_[i] = 1;
+      use(i);
       std::vector<uint32_t> chain = walk(i), back = walk(i);
       std::reverse(back.begin(), back.end());
       back.push_back(i);
@@ -103,23 +58,36 @@ class Chainer {
  private:
   static constexpr uint32_t kNoNode = NodeTable::kNoNode;
 
+  void use(uint32_t node) {
+    used_[node] = 1;
+    // Of two nodes in one cell, by rounding, the other one is what the cell shows.
+    if (bits_.known() && table_.at(cells_[node]) == node) bits_.clear(cells_[node]);
+  }
+
+  int nodes_around(uint32_t node) const {
+    int around = 0;
+    if (bits_.known()) {
+      for (int64_t c = -1; c <= 1; ++c) around += std::popcount(bits_.window(cells_[node], c, 1));
+      return around - 1;
+    }
+    for (int64_t c = -1; c <= 1; ++c)
+      for (int64_t r = -1; r <= 1; ++r)
+        around += (c != 0 || r != 0) && node_at(node, c, r) != kNoNode;
+    return around;
+  }
+
   // Where a surface lies in the slice its nodes fill an area, which has no profile but its edge.
   void leave_out_faces() {
-    std::vector<uint8_t> inside(nodes_.size(), 0);
-    for (uint32_t i = 0; i < nodes_.size(); ++i) {
-      int around = 0;
-      for (int64_t c = -1; c <= 1; ++c)
-        for (int64_t r = -1; r <= 1; ++r)
-          around += (c != 0 || r != 0) && node_at(i, c, r) != kNoNode;
-      inside[i] = around >= kFilled;
-    }
-    used_ = std::move(inside);
+    std::vector<uint32_t> inside;
+    for (uint32_t i = 0; i < nodes_.size(); ++i)
+      if (nodes_around(i) >= kFilled) inside.push_back(i);
+    for (const uint32_t i : inside) use(i);
   }
 
   std::vector<uint32_t> walk(uint32_t from) {
     std::vector<uint32_t> chain;
     for (uint32_t next = nearest(from); next != kNoNode; next = nearest(next)) {
-      used_[next] = 1;
+      use(next);
       chain.push_back(next);
     }
     return chain;
@@ -127,18 +95,29 @@ class Chainer {
 
   // Ring by ring of cells: what lies in ring r is at least r - 1 cells away.
   uint32_t nearest(uint32_t from) const {
-    const auto rings = static_cast<int64_t>(std::ceil(gap_m_ / cell_m_));
     double best = gap_m_ * gap_m_;
     uint32_t found = kNoNode;
-    for (int64_t ring = 1; ring <= rings; ++ring) {
+    for (int64_t ring = 1; ring <= rings_; ++ring) {
       const double least = static_cast<double>(ring - 1) * cell_m_;
       if (found != kNoNode && least * least > best) break;
       for (int64_t c = -ring; c <= ring; ++c) {
         const bool side = c == -ring || c == ring;
-        for (int64_t r = -ring; r <= ring; r += side ? 1 : 2 * ring) look(from, c, r, best, found);
+        if (bits_.known()) look_in_column(from, c, ring, side, best, found);
+        else
+          for (int64_t r = -ring; r <= ring; r += side ? 1 : 2 * ring)
+            look(from, c, r, best, found);
       }
     }
     return found;
+  }
+
+  // All rows of a ring's sides, the first and the last of what lies between.
+  void look_in_column(uint32_t from, int64_t column, int64_t ring, bool side, double& best,
+                      uint32_t& found) const {
+    uint64_t occupied = bits_.window(cells_[from], column, ring);
+    if (!side) occupied &= uint64_t{1} << 2 * ring | 1;
+    for (; occupied != 0; occupied &= occupied - 1)
+      look(from, column, std::countr_zero(occupied) - ring, best, found);
   }
 
   uint32_t node_at(uint32_t from, int64_t columns, int64_t rows) const {
@@ -158,8 +137,10 @@ class Chainer {
   std::span<const ProfileNode> nodes_;
   double gap_m_, cell_m_;
   std::vector<uint8_t> used_;
+  int64_t rings_;
   std::vector<NodeCell> cells_;
   NodeTable table_;
+  NodeBits bits_;
 };
 
 // Farthest point strictly between two places from their chord.
@@ -184,13 +165,10 @@ uint32_t farthest(std::span<const Vec2> chain, uint32_t from, uint32_t to, doubl
 
 std::vector<ProfileNode> thin_points(std::span<const Vec2> points, double cell_m,
                                      std::vector<uint32_t>& order) {
-  order.resize(points.size());
-  std::iota(order.begin(), order.end(), 0u);
   std::vector<NodeCell> cells;
+  cells.reserve(points.size());
   for (const Vec2& p : points) cells.push_back(cell_at(p, cell_m));
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-    return cells[a] != cells[b] ? cells[a] < cells[b] : a < b;
-  });
+  order = order_of_cells(cells);
   std::vector<ProfileNode> nodes;
   for (uint32_t i = 0; i < order.size();) {
     ProfileNode node{{0, 0}, i, 0};

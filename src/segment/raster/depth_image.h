@@ -42,7 +42,7 @@ struct DepthImage {
 };
 
 /// Image of the free points; empty when there are none. The pixel doubles where the image would have more than a few
-/// pixels a point. O(n), the same bits for any number of threads.
+/// pixels a point. O(n), the same bits for any number of threads. For one raster after the other: layers.h.
 DepthImage depth_image(const SegmentScene& scene, const RasterSettings& settings,
                        const ImageAxes& axes, double pixel_m, Task& task);
 

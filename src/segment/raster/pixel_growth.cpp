@@ -23,7 +23,55 @@ constexpr double kPixelRefit = 1.1;      // growth after which the plane is solv
 constexpr size_t kResidualSteps = 1024;  // classes of residuals that order the seeds
 constexpr size_t kSeedPixelsPerChunk = 1 << 12;
 constexpr size_t kPixelsPerCheckpoint = 1 << 13;
-constexpr uint16_t kNoSeed = 0xffff;
+
+// Sums over a seed's window; false where too few of its pixels are filled or one is taken (no labels: none is).
+bool window_sums(const DepthImage& image, const PixelRule& rule,
+                 const std::vector<uint32_t>& labels, size_t centre, GreySums& sums) {
+  const int64_t half = rule.seed_pixels / 2;
+  const auto column = static_cast<int64_t>(centre % image.columns);
+  const auto row = static_cast<int64_t>(centre / image.columns);
+  if (image.occupied[centre] == 0 || column < half || row < half ||
+      column + half >= image.columns || row + half >= image.rows)
+    return false;
+  const DepthImage::Pixel& own = image.pixels[centre];
+  sums = GreySums(own.u, own.v, own.g);
+  const double one_depth = kSteepest * rule.seed_pixels * image.pixel_m + 2 * rule.tolerance_m;
+  for (int64_t r = row - half; r <= row + half; ++r)
+    for (int64_t c = column - half; c <= column + half; ++c) {
+      const auto p = static_cast<size_t>(r * image.columns + c);
+      if (image.occupied[p] == 0) continue;
+      if (!labels.empty() && labels[p] != 0) return false;
+      const DepthImage::Pixel& pixel = image.pixels[p];
+      if (std::fabs(static_cast<double>(pixel.g) - static_cast<double>(own.g)) <= one_depth)
+        sums.add(pixel.u, pixel.v, pixel.g);
+    }
+  const double edge = rule.seed_pixels;
+  return sums.count() >= kLeastFilled * edge * edge;
+}
+
+bool seed_plane(const DepthImage& image, const PixelRule& rule, const std::vector<uint32_t>& labels,
+                size_t centre, GreyPlane& plane) {
+  GreySums sums;
+  return window_sums(image, rule, labels, centre, sums) && sums.fit(plane) &&
+         plane.cosine() >= kLeastCosine &&
+         plane.rms * plane.cosine() <= kSeedResidual * rule.tolerance_m;
+}
+
+// Whether a pixel of the window about this one changed.
+bool window_changed(const DepthImage& image, const PixelRule& rule,
+                    const std::vector<uint8_t>& changed, size_t centre) {
+  const size_t half = rule.seed_pixels / 2;
+  const size_t column = centre % image.columns, row = centre / image.columns;
+  if (column < half || row < half || column + half >= image.columns || row + half >= image.rows)
+    return false;
+  for (size_t r = row - half; r <= row + half; ++r) {
+    const auto from = changed.begin() + static_cast<ptrdiff_t>(r * image.columns + column - half);
+    if (std::find(from, from + static_cast<ptrdiff_t>(2 * half + 1), 1) !=
+        from + static_cast<ptrdiff_t>(2 * half + 1))
+      return true;
+  }
+  return false;
+}
 
 class PixelGrower {
  public:
@@ -32,8 +80,7 @@ class PixelGrower {
     regions_.labels.assign(image.size(), 0);
   }
 
-  PixelRegions run() {
-    const std::vector<uint32_t> seeds = seeds_by_residual();
+  PixelRegions run(const std::vector<uint32_t>& seeds) {
     for (size_t i = 0; i < seeds.size(); ++i) {
       progress_ = static_cast<double>(i) / static_cast<double>(seeds.size());
       if (i % kPixelsPerCheckpoint == 0) task_.checkpoint(progress_);
@@ -45,60 +92,9 @@ class PixelGrower {
  private:
   static constexpr uint32_t kSpent = 0xffffffffu;  // in a region, or in what was none
 
-  // Sums over a seed's window; false where too few of its pixels are filled or one is taken.
-  bool window_sums(size_t centre, GreySums& sums) const {
-    const int64_t half = rule_.seed_pixels / 2;
-    const auto column = static_cast<int64_t>(centre % image_.columns);
-    const auto row = static_cast<int64_t>(centre / image_.columns);
-    if (image_.occupied[centre] == 0 || column < half || row < half ||
-        column + half >= image_.columns || row + half >= image_.rows)
-      return false;
-    const DepthImage::Pixel& own = image_.pixels[centre];
-    sums = GreySums(own.u, own.v, own.g);
-    const double one_depth = kSteepest * rule_.seed_pixels * image_.pixel_m + 2 * rule_.tolerance_m;
-    for (int64_t r = row - half; r <= row + half; ++r)
-      for (int64_t c = column - half; c <= column + half; ++c) {
-        const auto p = static_cast<size_t>(r * image_.columns + c);
-        if (image_.occupied[p] == 0) continue;
-        if (regions_.labels[p] != 0) return false;
-        const DepthImage::Pixel& pixel = image_.pixels[p];
-        if (std::fabs(static_cast<double>(pixel.g) - static_cast<double>(own.g)) <= one_depth)
-          sums.add(pixel.u, pixel.v, pixel.g);
-      }
-    const double edge = rule_.seed_pixels;
-    return sums.count() >= kLeastFilled * edge * edge;
-  }
-
-  bool seed_plane(size_t centre, GreySums& sums, GreyPlane& plane) const {
-    return window_sums(centre, sums) && sums.fit(plane) && plane.cosine() >= kLeastCosine &&
-           plane.rms * plane.cosine() <= kSeedResidual * rule_.tolerance_m;
-  }
-
-  // Least residual first, by classes of it; within a class in the order of the image.
-  std::vector<uint32_t> seeds_by_residual() const {
-    std::vector<uint16_t> steps(image_.size(), kNoSeed);
-    const double per_step = kSeedResidual * rule_.tolerance_m / (kResidualSteps - 1);
-    parallel_for(task_, image_.size(), kSeedPixelsPerChunk, [&](size_t begin, size_t end) {
-      GreySums sums;
-      GreyPlane plane;
-      for (size_t p = begin; p < end; ++p)
-        if (seed_plane(p, sums, plane))
-          steps[p] = static_cast<uint16_t>(plane.rms * plane.cosine() / per_step);
-    });
-    std::vector<uint32_t> next(kResidualSteps + 1, 0);
-    for (const uint16_t step : steps)
-      if (step != kNoSeed) ++next[step + 1u];
-    for (size_t s = 0; s < kResidualSteps; ++s) next[s + 1] += next[s];
-    std::vector<uint32_t> seeds(next[kResidualSteps]);
-    for (size_t p = 0; p < steps.size(); ++p)
-      if (steps[p] != kNoSeed) seeds[next[steps[p]]++] = static_cast<uint32_t>(p);
-    return seeds;
-  }
-
   void try_seed(uint32_t seed) {
-    GreySums sums;
     GreyPlane plane;
-    if (!seed_plane(seed, sums, plane)) return;
+    if (!seed_plane(image_, rule_, regions_.labels, seed, plane)) return;
     ++round_;
     const auto label = static_cast<uint32_t>(regions_.planes.size() + 1);
     const DepthImage::Pixel& own = image_.pixels[seed];
@@ -177,8 +173,41 @@ class PixelGrower {
 
 }  // namespace
 
+void PixelSeeds::look_at(const DepthImage& image, const PixelRule& rule,
+                         const std::vector<uint8_t>& changed, Task& task) {
+  if (changed.empty()) steps_.assign(image.size(), kNone);
+  const double per_step = kSeedResidual * rule.tolerance_m / (kResidualSteps - 1);
+  parallel_for(task, image.size(), kSeedPixelsPerChunk, [&](size_t begin, size_t end) {
+    GreyPlane plane;
+    for (size_t p = begin; p < end; ++p) {
+      if (!changed.empty() && !window_changed(image, rule, changed, p)) continue;
+      steps_[p] = seed_plane(image, rule, {}, p, plane)
+                      ? static_cast<uint16_t>(plane.rms * plane.cosine() / per_step)
+                      : kNone;
+    }
+  });
+}
+
+std::vector<uint32_t> PixelSeeds::in_order() const {
+  std::vector<uint32_t> next(kResidualSteps + 1, 0);
+  for (const uint16_t step : steps_)
+    if (step != kNone) ++next[step + 1u];
+  for (size_t s = 0; s < kResidualSteps; ++s) next[s + 1] += next[s];
+  std::vector<uint32_t> seeds(next[kResidualSteps]);
+  for (size_t p = 0; p < steps_.size(); ++p)
+    if (steps_[p] != kNone) seeds[next[steps_[p]]++] = static_cast<uint32_t>(p);
+  return seeds;
+}
+
+PixelRegions grow_pixels(const DepthImage& image, const PixelRule& rule, const PixelSeeds& seeds,
+                         Task& task) {
+  return PixelGrower(image, rule, task).run(seeds.in_order());
+}
+
 PixelRegions grow_pixels(const DepthImage& image, const PixelRule& rule, Task& task) {
-  return PixelGrower(image, rule, task).run();
+  PixelSeeds seeds;
+  seeds.look_at(image, rule, {}, task);
+  return grow_pixels(image, rule, seeds, task);
 }
 
 }  // namespace jalon
