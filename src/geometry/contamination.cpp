@@ -114,21 +114,6 @@ ContaminationTable::ContaminationTable(const Contamination& c, bool with_derivat
   }
 }
 
-ContaminationTable::Place ContaminationTable::place(double r) const {
-  const double last = static_cast<double>(weights_.size() - 1);
-  const double x = std::clamp((r + tolerance_m_) * per_m_, 0.0, last);
-  const size_t node = std::min(static_cast<size_t>(x), weights_.size() - 2);
-  return {node, x - static_cast<double>(node)};
-}
-
-ContaminationTable::Weights ContaminationTable::weights(double r) const {
-  const auto [node, t] = place(r);
-  const Weights &a = weights_[node], &b = weights_[node + 1];
-  return {a.core + t * (b.core - a.core), a.front + t * (b.front - a.front),
-          a.behind + t * (b.behind - a.behind), a.log_density + t * (b.log_density - a.log_density),
-          a.slope + t * (b.slope - a.slope)};
-}
-
 ContaminationTable::Derivatives ContaminationTable::derivatives(double r) const {
   const auto [node, t] = place(r);
   Derivatives out;

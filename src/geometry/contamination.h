@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -52,7 +53,14 @@ class ContaminationTable {
   /// The derivatives take as much time again: only on demand.
   explicit ContaminationTable(const Contamination& c, bool with_derivatives = false);
 
-  Weights weights(double r) const;
+  /// Asked for each point in each step.
+  Weights weights(double r) const {
+    const auto [node, t] = place(r);
+    const Weights &a = weights_[node], &b = weights_[node + 1];
+    return {a.core + t * (b.core - a.core), a.front + t * (b.front - a.front),
+            a.behind + t * (b.behind - a.behind),
+            a.log_density + t * (b.log_density - a.log_density), a.slope + t * (b.slope - a.slope)};
+  }
   Derivatives derivatives(double r) const;
 
  private:
@@ -60,7 +68,12 @@ class ContaminationTable {
     size_t node;
     double after;  ///< share of the way to the next
   };
-  Place place(double r) const;
+  Place place(double r) const {
+    const double last = static_cast<double>(weights_.size() - 1);
+    const double x = std::clamp((r + tolerance_m_) * per_m_, 0.0, last);
+    const size_t node = std::min(static_cast<size_t>(x), weights_.size() - 2);
+    return {node, x - static_cast<double>(node)};
+  }
   double tolerance_m_, per_m_;
   std::vector<Weights> weights_;
   std::vector<Derivatives> derivatives_;

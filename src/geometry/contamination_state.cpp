@@ -3,6 +3,7 @@
 #include "geometry/contamination_state.h"
 
 #include <Eigen/Dense>
+#include <array>
 
 #include "base/parallel.h"
 
@@ -20,7 +21,7 @@ constexpr int kContaminationStateUnknowns = 8;
 using Mat8 = Eigen::Matrix<double, kContaminationStateUnknowns, kContaminationStateUnknowns>;
 using Vec8 = Eigen::Matrix<double, kContaminationStateUnknowns, 1>;
 
-/// What a point, or many, tell: the gradient of the log likelihood and minus its second derivatives.
+/// What a point tells: the gradient of the log likelihood and minus its second derivatives.
 struct PointInformation {
   Vec8 score = Vec8::Zero();
   Mat8 hessian = Mat8::Zero();
@@ -46,11 +47,73 @@ PointInformation information_of(const PlaneSample& s, double residual,
   return out;
 }
 
+constexpr size_t kShared = 4, kPerZone = 2;  // unknowns of all points, and of a zone's
+
+/// Sums of PointInformation's second derivatives and products of scores, without the zeros and what stands twice: to the
+/// bit those of the matrices.
 struct Sums {
-  Mat8 hessian = Mat8::Zero(), scores = Mat8::Zero();
+  struct Entries {
+    std::array<double, kShared*(kShared + 1) / 2> shared{};  ///< upper triangle, row by row
+    /// Rows of the shared unknowns, then the zone's own upper triangle.
+    std::array<std::array<double, kShared * kPerZone + 3>, kContaminationZones> zone{};
+    Entries& operator+=(const Entries& b) {
+      for (size_t k = 0; k < shared.size(); ++k) shared[k] += b.shared[k];
+      for (size_t z = 0; z < kContaminationZones; ++z)
+        for (size_t k = 0; k < zone[z].size(); ++k) zone[z][k] += b.zone[z][k];
+      return *this;
+    }
+    Mat8 matrix() const {
+      Mat8 out = Mat8::Zero();
+      const auto set = [&](size_t i, size_t j, double value) {
+        const auto row = static_cast<Eigen::Index>(i), column = static_cast<Eigen::Index>(j);
+        out(row, column) = out(column, row) = value;
+      };
+      size_t k = 0;
+      for (size_t i = 0; i < kShared; ++i)
+        for (size_t j = i; j < kShared; ++j) set(i, j, shared[k++]);
+      for (size_t z = 0; z < kContaminationZones; ++z) {
+        const size_t first = kShared + kPerZone * z;
+        for (size_t i = 0; i < kShared; ++i)
+          for (size_t j = 0; j < kPerZone; ++j) set(i, first + j, zone[z][kPerZone * i + j]);
+        set(first, first, zone[z][kShared * kPerZone]);
+        set(first, first + 1, zone[z][kShared * kPerZone + 1]);
+        set(first + 1, first + 1, zone[z][kShared * kPerZone + 2]);
+      }
+      return out;
+    }
+  } hessian, scores;
+
   Sums& operator+=(const Sums& b) {
-    hessian += b.hessian, scores += b.scores;
+    hessian += b.hessian;
+    scores += b.scores;
     return *this;
+  }
+  void add(const PlaneSample& s, double residual, const ContaminationTable& table) {
+    using T = ContaminationTable;
+    const auto d = table.derivatives(residual);
+    const double g[3] = {1, static_cast<double>(s.u), static_cast<double>(s.v)};
+    const double score[kShared + kPerZone] = {-d[T::kR] * g[0], -d[T::kR] * g[1], -d[T::kR] * g[2],
+                                              d[T::kS],         d[T::kF],         d[T::kB]};
+    size_t k = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      for (size_t j = i; j < 3; ++j) hessian.shared[k++] += -d[T::kRR] * g[i] * g[j];
+      hessian.shared[k++] += d[T::kRS] * g[i];
+    }
+    hessian.shared[k] += -d[T::kSS];
+    auto& zone = hessian.zone[s.zone];
+    for (size_t i = 0; i < 3; ++i) {
+      zone[2 * i] += d[T::kRF] * g[i];
+      zone[2 * i + 1] += d[T::kRB] * g[i];
+    }
+    zone[6] += -d[T::kSF], zone[7] += -d[T::kSB];
+    zone[8] += -d[T::kFF], zone[9] += -d[T::kFB], zone[10] += -d[T::kBB];
+    k = 0;
+    for (size_t i = 0; i < kShared; ++i)
+      for (size_t j = i; j < kShared; ++j) scores.shared[k++] += score[i] * score[j];
+    auto& own = scores.zone[s.zone];
+    for (size_t i = 0; i < kShared; ++i)
+      for (size_t j = 0; j < kPerZone; ++j) own[kPerZone * i + j] += score[i] * score[kShared + j];
+    own[8] += score[4] * score[4], own[9] += score[4] * score[5], own[10] += score[5] * score[5];
   }
 };
 
@@ -115,23 +178,21 @@ bool contamination_covariance(const std::vector<PlaneSample>& samples,
                                       Sums part;
                                       for (size_t i = begin; i < end; ++i) {
                                         const PlaneSample& s = samples[i];
-                                        const PointInformation point =
-                                            information_of(s, state.residual(s), tables[s.zone]);
-                                        part.hessian += point.hessian;
-                                        part.scores += point.score * point.score.transpose();
+                                        part.add(s, state.residual(s), tables[s.zone]);
                                       }
                                       return part;
                                     });
   const Free free(state);
-  const Eigen::LDLT<Mat8> hessian(free.of(sums.hessian));
+  const Mat8 second = sums.hessian.matrix();
+  const Eigen::LDLT<Mat8> hessian(free.of(second));
   if (hessian.info() != Eigen::Success || !hessian.isPositive() ||
       !(hessian.rcond() > kLeastCondition))
     return false;
   Mat8 c;
   if (samples.size() <= kMostForJackknife) {
-    c = jackknife(samples, state, tables, free, sums.hessian);
+    c = jackknife(samples, state, tables, free, second);
   } else {
-    c = solve(hessian, solve(hessian, free.of(sums.scores)).transpose());
+    c = solve(hessian, solve(hessian, free.of(sums.scores.matrix())).transpose());
   }
   out = {c(1, 1), c(1, 2), c(1, 0), c(2, 2), c(2, 0), c(0, 0)};
   return c.topLeftCorner<3, 3>().allFinite() && c(0, 0) > 0 && c(1, 1) > 0 && c(2, 2) > 0;

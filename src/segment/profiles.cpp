@@ -82,7 +82,7 @@ SliceRule slice_rule(const ProfileSettings& settings, double spacing_m) {
 
 // A set of lines as a surface that reaches from slice to slice; without points when it is no plane.
 Surface surface_of(const SegmentScene& scene, std::span<const ProfileLine> lines,
-                   const std::vector<uint32_t>& set, double step_m) {
+                   const std::vector<uint32_t>& set, double step_m, Task& task) {
   Surface surface;
   Moments moments = lines[set[0]].moments;
   for (size_t i = 0; i < set.size(); ++i) {
@@ -100,7 +100,7 @@ Surface surface_of(const SegmentScene& scene, std::span<const ProfileLine> lines
   surface.plane = fit.plane;
   surface.sigma_m = fit.sigma;
   surface.pixel_m = step_m;
-  surface.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, surface), step_m, 0));
+  surface.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, surface, task), step_m, 0));
   return surface;
 }
 
@@ -111,7 +111,7 @@ void cut_along(const SegmentScene& scene, const SliceRule& slices, const Profile
                            settings.surface.distance_tolerance_m};
   const std::vector<ProfileRectangle> rectangles = match_lines(lines, rule, task);
   for (const auto& set : join_rectangles(lines, rectangles, rule)) {
-    Surface surface = surface_of(scene, lines, set, slices.step_m);
+    Surface surface = surface_of(scene, lines, set, slices.step_m, task);
     if (!surface.positions.empty()) surfaces.push_back(std::move(surface));
   }
 }

@@ -211,11 +211,13 @@ void sort_runs(std::vector<uint32_t>& positions) {
 
 }  // namespace
 
-std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface) {
+std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface, Task& task) {
   std::vector<Vec2> uv(surface.positions.size());
   if (surface.is_plane()) {
     const FlatFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
-    for (size_t i = 0; i < uv.size(); ++i) uv[i] = frame(scene.local(surface.positions[i]));
+    parallel_for(task, uv.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) uv[i] = frame(scene.local(surface.positions[i]));
+    });
     return uv;
   }
   std::vector<Vec3> points(uv.size());

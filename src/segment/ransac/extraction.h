@@ -23,7 +23,7 @@ struct Surface {
 };
 
 /// The surface's points on a flat map of it, in metres.
-std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface);
+std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface, Task& task);
 
 /// From a candidate to a surface: collect, keep the largest connected region, refit by least squares, until stable;
 /// then the points of the surface are taken out of the pool and belong to owner_id. False when no region is large,

@@ -46,17 +46,19 @@ void fit_plane_segment(const SegmentScene& scene, Surface& surface, Task& task, 
     surface.sigma_m = segment.fit.sigma;
   }
   settle_within_class(scene, surface, task, segment.fit);
-  double low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY};
-  const Vec3 axes[2] = {segment.fit.axis_u, segment.fit.axis_v};
-  for (const uint32_t position : surface.positions) {
-    const Vec3 d = scene.exact(position) - segment.fit.centroid;
-    for (size_t k = 0; k < 2; ++k) {
-      low[k] = std::min(low[k], dot(d, axes[k]));
-      high[k] = std::max(high[k], dot(d, axes[k]));
+  const auto extent_of = [&](size_t begin, size_t end) {
+    FlatBox part;
+    for (size_t i = begin; i < end; ++i) {
+      if (i + kFetchedAhead < end) scene.fetch_exact(surface.positions[i + kFetchedAhead]);
+      const Vec3 d = scene.exact(surface.positions[i]) - segment.fit.centroid;
+      part.add({dot(d, segment.fit.axis_u), dot(d, segment.fit.axis_v)});
     }
-  }
-  segment.length_u_m = high[0] - low[0];
-  segment.length_v_m = high[1] - low[1];
+    return part;
+  };
+  const FlatBox extent =
+      parallel_reduce(task, surface.positions.size(), kEndingPointsPerChunk, FlatBox{}, extent_of);
+  segment.length_u_m = extent.high.u - extent.low.u;
+  segment.length_v_m = extent.high.v - extent.low.v;
 }
 
 // Rows of the surfaces, largest first, fits in the local frame.
@@ -78,13 +80,17 @@ std::vector<Segment> make_segments(const SegmentScene& scene, std::vector<Surfac
 }
 
 std::shared_ptr<Column> label_points(const SegmentScene& scene,
-                                     const std::vector<Surface>& surfaces) {
+                                     const std::vector<Surface>& surfaces, Task& task) {
   auto column = make_label_column(scene.size());
   const auto labels = column->values<uint32_t>();
   std::fill(labels.begin(), labels.end(), 0u);
-  for (size_t s = 0; s < surfaces.size(); ++s)
-    for (const uint32_t position : surfaces[s].positions)
-      labels[scene.order[position]] = static_cast<uint32_t>(s + 1);
+  for_each_surface(surfaces, task, [&](size_t s) {
+    const auto& positions = surfaces[s].positions;
+    parallel_for(task, positions.size(), kEndingPointsPerChunk, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i)
+        labels[scene.order[positions[i]]] = static_cast<uint32_t>(s + 1);
+    });
+  });
   return column;
 }
 
@@ -129,7 +135,7 @@ Segmentation finish_segmentation(const CloudPtr& cloud, SegmentScene& scene,
   Segmentation out;
   out.cloud = cloud;
   out.segments = make_segments(scene, surfaces, task);
-  const auto label_column = label_points(scene, surfaces);
+  const auto label_column = label_points(scene, surfaces, task);
   const auto labels = label_column->values<uint32_t>();
   out.labels = label_column;
   std::vector<uint64_t> points;

@@ -40,7 +40,7 @@ bool describe(const SegmentScene& scene, Surface& surface, Task& task) {
   for (size_t i = 0; i < n; ++i) spacings[i] = scene.spacing[surface.positions[i]];
   surface.pixel_m = connectivity_pixel(settings, std::move(spacings));
   surface.area_m2 =
-      occupied_area_m2(bounded_raster(flat_points(scene, surface), surface.pixel_m, 0));
+      occupied_area_m2(bounded_raster(flat_points(scene, surface, task), surface.pixel_m, 0, task));
   return surface.area_m2 >= kLeastPiece * settings.min_area_m2;
 }
 

@@ -65,8 +65,8 @@ double noise_within(const SegmentScene& scene, const std::vector<PlanarCell>& ce
   return std::max(least, std::sqrt(std::max(0.0, *middle)));
 }
 
-PlanarCells cells_of(const SegmentScene& scene, const Surface& surface) {
-  const std::vector<Vec2> uv = flat_points(scene, surface);
+PlanarCells cells_of(const SegmentScene& scene, const Surface& surface, Task& task) {
+  const std::vector<Vec2> uv = flat_points(scene, surface, task);
   PlanarCells out;
   out.raster = bounded_raster(uv, kPixelsPerCell * surface.pixel_m, 1);
   out.of_pixel.assign(out.raster.size(), kNoPoint);
@@ -173,12 +173,12 @@ bool beside_other(const PlanarCells& cells, size_t pixel, uint8_t side) {
 
 // Points go with their cell; where cells of both sides touch, to the nearer plane.
 std::vector<uint8_t> sides_of_points(const SegmentScene& scene, const Surface& surface,
-                                     const PlanarCells& cells, const TwoPlanes& two) {
+                                     const PlanarCells& cells, const TwoPlanes& two, Task& task) {
   std::vector<uint8_t> mixed(cells.list.size());
   for (size_t p = 0; p < cells.of_pixel.size(); ++p)
     if (const uint32_t c = cells.of_pixel[p]; c != kNoPoint)
       mixed[c] = beside_other(cells, p, cells.list[c].side);
-  const std::vector<Vec2> uv = flat_points(scene, surface);
+  const std::vector<Vec2> uv = flat_points(scene, surface, task);
   std::vector<uint8_t> out(uv.size());
   for (size_t i = 0; i < uv.size(); ++i) {
     const uint32_t cell = cells.of_point[i];
@@ -191,7 +191,7 @@ std::vector<uint8_t> sides_of_points(const SegmentScene& scene, const Surface& s
 }
 
 // Plane, sigma and area from the points; false when they are too few for a segment.
-bool describe_part(const SegmentScene& scene, double pixel_m, Surface& part) {
+bool describe_part(const SegmentScene& scene, double pixel_m, Surface& part, Task& task) {
   const SurfaceSettings& settings = scene.settings;
   if (part.positions.size() < std::max<size_t>(3, settings.min_points)) return false;
   Moments moments;
@@ -202,22 +202,22 @@ bool describe_part(const SegmentScene& scene, double pixel_m, Surface& part) {
   part.plane = fit.plane;
   part.sigma_m = fit.sigma;
   part.pixel_m = pixel_m;
-  part.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, part), pixel_m, 0));
+  part.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, part, task), pixel_m, 0));
   return part.area_m2 >= settings.min_area_m2;
 }
 
 // The two surfaces in the place of one, the larger first; nothing when it is one plane.
-std::vector<Surface> parted(const SegmentScene& scene, const Surface& surface) {
+std::vector<Surface> parted(const SegmentScene& scene, const Surface& surface, Task& task) {
   if (!surface.is_plane()) return {};
-  PlanarCells cells = cells_of(scene, surface);
+  PlanarCells cells = cells_of(scene, surface, task);
   const std::optional<TwoPlanes> two = better_planes(cells);
   if (!two) return {};
-  const std::vector<uint8_t> sides = sides_of_points(scene, surface, cells, *two);
+  const std::vector<uint8_t> sides = sides_of_points(scene, surface, cells, *two, task);
   std::vector<Surface> parts(2);
   for (size_t i = 0; i < sides.size(); ++i)
     parts[sides[i]].positions.push_back(surface.positions[i]);
   for (Surface& part : parts)
-    if (!describe_part(scene, surface.pixel_m, part)) return {};
+    if (!describe_part(scene, surface.pixel_m, part, task)) return {};
   if (parts[1].positions.size() > parts[0].positions.size()) std::swap(parts[0], parts[1]);
   return parts;
 }
@@ -231,7 +231,7 @@ std::vector<uint8_t> part_all(const SegmentScene& scene, std::vector<Surface>& s
   while (!open.empty()) {
     std::vector<std::vector<Surface>> parts(open.size());
     parallel_for(task, open.size(), 1,
-                 [&](size_t k, size_t) { parts[k] = parted(scene, surfaces[open[k]]); });
+                 [&](size_t k, size_t) { parts[k] = parted(scene, surfaces[open[k]], task); });
     std::vector<size_t> next;
     for (size_t k = 0; k < parts.size(); ++k) {
       if (parts[k].empty()) continue;

@@ -21,13 +21,13 @@ struct SplittingPart {
 
 /// The connected parts of a surface, the one of most pixels first.
 std::vector<SplittingPart> parts_of(const SegmentScene& scene, const Surface& surface,
-                                    double& pixel_area_m2) {
-  const std::vector<Vec2> uv = flat_points(scene, surface);
+                                    double& pixel_area_m2, Task& task) {
+  const std::vector<Vec2> uv = flat_points(scene, surface, task);
   // Dilation by r joins what is up to 2 r empty pixels apart: no less than connectivity and merging have joined.
   const double gap = std::max(scene.settings.gap_m, scene.settings.merge_gap_m);
   const auto reach =
       static_cast<uint32_t>(std::min(kMostReach, std::ceil(gap / (2 * surface.pixel_m))));
-  const Raster raster = bounded_raster(uv, surface.pixel_m, reach);
+  const Raster raster = bounded_raster(uv, surface.pixel_m, reach, task);
   const Regions regions = label_regions(dilated(raster, reach));
   pixel_area_m2 = raster.pixel_m * raster.pixel_m;
   std::vector<SplittingPart> parts(regions.count());
@@ -49,7 +49,7 @@ bool split_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& t
   std::vector<uint8_t> changed(surfaces.size(), 0);
   parallel_for(task, surfaces.size(), 1, [&](size_t s, size_t) {
     double pixel_area_m2 = 0;
-    std::vector<SplittingPart> parts = parts_of(scene, surfaces[s], pixel_area_m2);
+    std::vector<SplittingPart> parts = parts_of(scene, surfaces[s], pixel_area_m2, task);
     if (parts.size() < 2) return;
     changed[s] = 1;
     surfaces[s].positions = std::move(parts[0].positions);

@@ -38,7 +38,7 @@ std::vector<uint8_t> inner_points(const SegmentScene& scene, const Surface& surf
   parallel_for(task, uv.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) uv[i] = frame(scene.local(surface.positions[i]));
   });
-  const Raster inner = eroded(closed(bounded_raster(uv, surface.pixel_m, 1), 1), 1);
+  const Raster inner = eroded(closed(bounded_raster(uv, surface.pixel_m, 1, task), 1), 1);
   std::vector<uint8_t> out(uv.size());
   parallel_for(task, uv.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) out[i] = inner.pixels[inner.pixel_of(uv[i])];
@@ -64,12 +64,14 @@ CoreMoments core_moments(const SegmentScene& scene, const Surface& surface, Task
           : INFINITY;
   const double min_cosine = scene.min_cosine();
   std::vector<uint8_t> inner(surface.positions.size(), 0);
-  if (settings.connectivity && settings.reassign) inner = inner_points(scene, surface, task);
+  if (settings.connectivity && settings.reassign && inner.size() >= kLeastInnerPoints)
+    inner = inner_points(scene, surface, task);
   CoreMoments zero;
   zero.all.reference = zero.inner.reference = scene.local(surface.positions[0]);
   const auto part_of = [&](size_t begin, size_t end) {
     CoreMoments part = zero;
     for (size_t i = begin; i < end; ++i) {
+      if (i + kFetchedAhead < end) scene.fetch_exact(surface.positions[i + kFetchedAhead]);
       const Vec3 p = scene.exact(surface.positions[i]);
       if (std::fabs(surface.plane.distance(p)) > reach) continue;
       if (scene.inconsistent(surface.positions[i], surface.plane.normal, min_cosine)) continue;
@@ -200,7 +202,7 @@ bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
   surface.plane = fit.plane;
   surface.sigma_m = fit.sigma;
   surface.area_m2 =
-      occupied_area_m2(bounded_raster(flat_points(scene, surface), surface.pixel_m, 0));
+      occupied_area_m2(bounded_raster(flat_points(scene, surface, task), surface.pixel_m, 0, task));
   return surface.area_m2 >= settings.min_area_m2;
 }
 

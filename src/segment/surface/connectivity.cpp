@@ -6,6 +6,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "base/parallel.h"
+
 namespace jalon {
 
 namespace {
@@ -15,6 +17,7 @@ constexpr double kSpacingsPerPixel =
 constexpr double kSpacingPercentile = 0.8;
 constexpr double kMaxPixels = 1 << 24;  // 16 MiB; longer scenes get coarser pixels
 constexpr uint32_t kMaxGapPixels = 256;
+constexpr size_t kFlatPointsPerChunk = 1 << 15;
 
 // Keeps the regions of at least `least` pixels, and the largest one in any case.
 void drop_small(Raster& raster, const Regions& regions, uint64_t least) {
@@ -47,6 +50,27 @@ uint32_t largest_group(const Raster& occupied, const Regions& groups, uint64_t& 
       pixels = counts[label];
     }
   return best;
+}
+
+// An image as rasterise() makes it of points with this extent, all of it empty.
+Raster empty_raster(const FlatBox& box, double pixel_m, uint32_t margin) {
+  const Vec2 corners[] = {box.low, box.high};
+  Raster raster = bounded_raster(corners, pixel_m, margin);
+  std::fill(raster.pixels.begin(), raster.pixels.end(), uint8_t{0});
+  return raster;
+}
+
+// The pixel that rasterise() gives it: relative to the lowest corner, so that the margin has no say. From any thread.
+void mark_pixel(Raster& raster, const Vec2& low, uint32_t margin, const Vec2& p) {
+  const auto cell = [&](double offset, uint32_t cells) {
+    const double at = std::floor(offset / raster.pixel_m);
+    const uint32_t last = cells - 2 * margin - 1;
+    if (!(at > 0)) return size_t{margin};
+    return size_t{margin} + (at >= static_cast<double>(last) ? last : static_cast<uint32_t>(at));
+  };
+  const size_t pixel =
+      cell(p.v - low.v, raster.rows) * raster.columns + cell(p.u - low.u, raster.columns);
+  std::atomic_ref<uint8_t>(raster.pixels[pixel]).store(1, std::memory_order_relaxed);
 }
 
 }  // namespace
@@ -86,29 +110,30 @@ Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t mar
   return rasterise(points, bounded_pixel(box, pixel_m, margin), margin);
 }
 
+Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin, Task& task) {
+  const FlatBox box = parallel_reduce(task, points.size(), kFlatPointsPerChunk, FlatBox{},
+                                      [&](size_t begin, size_t end) {
+                                        FlatBox part;
+                                        for (size_t i = begin; i < end; ++i) part.add(points[i]);
+                                        return part;
+                                      });
+  Raster raster = empty_raster(box, pixel_m, margin);
+  parallel_for(task, points.size(), kFlatPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) mark_pixel(raster, box.low, margin, points[i]);
+  });
+  return raster;
+}
+
 RegionRaster::RegionRaster(const FlatBox& box, const RegionRule& rule)
     : rule_(rule),
       low_(box.low),
       gap_pixels_(static_cast<uint32_t>(
           std::min<double>(kMaxGapPixels, std::floor(rule.gap_m / (2 * rule.pixel_m))))),
       margin_(std::max(gap_pixels_, rule.strip_width_m > 0 ? 1u : 0u)) {
-  const Vec2 corners[] = {box.low, box.high};
-  raster_ = bounded_raster(corners, rule.pixel_m, margin_);
-  std::fill(raster_.pixels.begin(), raster_.pixels.end(), uint8_t{0});
+  raster_ = empty_raster(box, rule.pixel_m, margin_);
 }
 
-// The pixel that rasterise() gives it: relative to the lowest corner, so that the margin has no say.
-void RegionRaster::mark(const Vec2& p) {
-  const auto cell = [&](double offset, uint32_t cells) {
-    const double at = std::floor(offset / raster_.pixel_m);
-    const uint32_t last = cells - 2 * margin_ - 1;
-    if (!(at > 0)) return size_t{margin_};
-    return size_t{margin_} + (at >= static_cast<double>(last) ? last : static_cast<uint32_t>(at));
-  };
-  const size_t pixel =
-      cell(p.v - low_.v, raster_.rows) * raster_.columns + cell(p.u - low_.u, raster_.columns);
-  std::atomic_ref<uint8_t>(raster_.pixels[pixel]).store(1, std::memory_order_relaxed);
-}
+void RegionRaster::mark(const Vec2& p) { mark_pixel(raster_, low_, margin_, p); }
 
 double RegionRaster::settle() {
   // Square dilation by r joins pieces up to 2 r empty pixels apart.

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "segment/surface/scene.h"
 #include "spatial/raster.h"
 
@@ -83,5 +84,7 @@ double occupied_area_m2(const Raster& raster);
 double bounded_pixel(const FlatBox& box, double pixel_m, uint32_t margin);
 /// The raster of points with such a pixel.
 Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin);
+/// The same by all threads.
+Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin, Task& task);
 
 }  // namespace jalon

@@ -21,6 +21,7 @@
 namespace jalon {
 
 constexpr uint8_t kMostRejections = 3;
+constexpr size_t kFetchedAhead = 24;  ///< points whose doubles are let come before they are read
 
 /// The octree's coordinates, at hand: every step reads those of all points.
 struct GridCoordinates {
@@ -72,6 +73,10 @@ struct SegmentScene {
   }
   /// From the caller's doubles.
   Vec3 exact(size_t position) const { return cloud.point(order[position]) - origin; }
+  /// Lets the memory come that exact() is about to read: the caller's doubles stand in his order.
+  void fetch_exact(size_t position) const {
+    __builtin_prefetch(cloud.xyz_buffer->data() + 3 * size_t{order[position]});
+  }
   /// Tolerance of the normal test as a cosine; 0 switches it off.
   double min_cosine() const {
     return settings.uses_normals() ? std::cos(settings.normal_tolerance_rad) : 0.0;

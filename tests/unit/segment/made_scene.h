@@ -38,7 +38,7 @@ struct MadeScene {
     fit_plane(moments, fit);
     out.plane = fit.plane;
     out.sigma_m = fit.sigma;
-    out.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, out), out.pixel_m, 0));
+    out.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, out, task), out.pixel_m, 0));
     return out;
   }
   /// The surfaces of faces 1 ... count.

@@ -135,7 +135,8 @@ TEST_CASE("flat_points__keep_distances_of_planes_and_unroll_pipes") {
   MadeScene made(scene.points);
   const Surface wall = made.surface(scene.faces, 1, 1);
   const Surface round = curved_surface(made, scene.faces, 2, Curved(pipe));
-  const auto flat = flat_points(made.scene, wall), unrolled = flat_points(made.scene, round);
+  const auto flat = flat_points(made.scene, wall, made.task),
+             unrolled = flat_points(made.scene, round, made.task);
   const auto e = across(pipe.direction);
   const auto angle = [&](const Vec3& p) {
     const Vec3 d = p - pipe.point;

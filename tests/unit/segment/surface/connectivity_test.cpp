@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include "base/random.h"
 #include "segment/surface/connectivity.h"
 
 using namespace jalon;
@@ -44,4 +45,24 @@ TEST_CASE("the pixel follows the spacing but never falls below the tolerance") {
         doctest::Approx(0.2).scale(0));
   settings.pixel_m = 0.07;
   CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == 0.07);
+}
+
+TEST_CASE("an image by all threads is that by one, pixel by pixel") {
+  RandomStream random(4, 0);
+  std::vector<Vec2> points;
+  for (int i = 0; i < 100000; ++i)
+    points.push_back({1e5 + 30 * random.uniform(), -7 + 9 * random.uniform()});
+  grid(points, 1e5, 2, 30, 7);  // on borders of pixels
+  for (const uint32_t threads : {1u, 3u})
+    for (const uint32_t margin : {0u, 2u}) {
+      Task::Hooks hooks;
+      hooks.threads = threads;
+      Task task(hooks);
+      const Raster one = bounded_raster(points, 0.1, margin),
+                   all = bounded_raster(points, 0.1, margin, task);
+      CHECK(all.pixels == one.pixels);
+      CHECK(all.columns == one.columns);
+      CHECK(all.origin == one.origin);
+      CHECK(all.pixel_m == one.pixel_m);
+    }
 }
