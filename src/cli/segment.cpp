@@ -7,6 +7,7 @@
 #include "cli/lengths.h"
 #include "cli/outputs/edge_curve.h"
 #include "cli/outputs/method_comparison.h"
+#include "cli/outputs/raster_file.h"
 #include "cli/methods.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
@@ -29,6 +30,7 @@ struct Segment {
   double tolerance_m = 0;  ///< 0 = the method's default
   Picks picks;
   EdgeCurveFiles edge_curve;
+  RasterFile raster;
   MethodComparison comparison;
 
   Segmenter segmenter(Params& params) const {
@@ -53,7 +55,8 @@ struct Segment {
 
   /// The names of the files beyond those of every run.
   std::vector<std::string> write(const Console& console, const Segmentation& segmentation,
-                                 const Table& table, Json notes, Json result) const {
+                                 const Params& params, const Table& table, Json notes,
+                                 Json result) const {
     OutputFolder folder(output);
     Cloud labelled;
     must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
@@ -67,6 +70,9 @@ struct Segment {
     draw(console, segmentation, folder.path("segments.svg"));
     std::vector<std::string> more = edge_curve.write(
         console, segmentation, [&](const char* name) { return folder.path(name); });
+    for (const std::string& name : raster.write(console, labelled, params, table,
+                                                [&](const char* own) { return folder.path(own); }))
+      more.push_back(name);
     notes["times"]["write"] = console.seconds();
     result["times"] = notes["times"];
     write_text_file(folder.path("segments.json"),
@@ -105,10 +111,10 @@ struct Segment {
 
   // Every method on the same scan, as a table and a page.
   void compare(Console& console) const {
-    if (picks.are_given() || settings.is_given() || edge_curve.label > 0)
+    if (picks.are_given() || settings.is_given() || edge_curve.label > 0 || raster.wanted)
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
                     "--compare-methods takes every method with its defaults: no --pick, no "
-                    "--segment-set, no --edge-curve"};
+                    "--segment-set, no --edge-curve, no --raster"};
     console.step("reading");
     const Cloud cloud = input.read(console);
     Segmentation reference;
@@ -154,6 +160,7 @@ struct Segment {
     const Segmenter worker = segmenter(params);  // wrong parameters are told before a long read
     picks.check();
     edge_curve.check();
+    raster.check(picks.are_given() ? "pick" : method);
     if (picks.are_given() && (settings.is_given() || tolerance_m > 0))
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
                     "--pick grows segments by --pick-set: no --tolerance, no --segment-set"};
@@ -188,7 +195,7 @@ struct Segment {
                 {"times", notes["times"]},
                 {"segments", table.list()}};
     console.step("writing");
-    const auto more = write(console, segmentation, table, notes, result);
+    const auto more = write(console, segmentation, params, table, notes, result);
     list(console, table, lengths);
     std::string names =
         "report.html, segments.svg, segments.csv, segments.json, segments.las, segments.ply, "
@@ -232,6 +239,7 @@ void add_segment(Command& app) {
   state->settings.add_short_to(command);
   state->picks.add_to(command);
   state->edge_curve.add_to(command);
+  state->raster.add_to(command);
   state->viewer.add_to(command);
   state->comparison.add_to(command);
   add_common(command, state->common);
@@ -243,6 +251,7 @@ void add_segment(Command& app) {
            "min_area_m2=0.2\n"
            "  jalon segment scan.las -o result --pick \"2.5,0,1.2\" --pick \"sphere:4,-1,1\"\n"
            "  jalon segment scan.las -o result --edge-curve 1\n"
+           "  jalon segment scan.las -o result --method raster_growing --raster\n"
            "  jalon segment plant.las -o result --set primitives=all --set max_radius_m=1\n"
            "  jalon segment scan.las -o result --compare-methods --reference-labels face\n"
            "  jalon evaluate-segmentation result/segments.las reference.las";

@@ -8,6 +8,7 @@
 #include "formats/codecs/codecs.h"
 #include "formats/formats.h"
 #include "formats/geopackage/sqlite_database.h"
+#include "formats/png/grey_file.h"
 #include "formats/registry.h"
 
 // What users read about formats, made from the registry when the library is compiled.
@@ -97,7 +98,16 @@ constexpr auto kPlaceRows = setting_rows(
     number_row<&ReadSettings::spacing_m>(
         "spacing_m", 0, 1e9, "m", "copc",
         "Read a COPC file's octree down to the level whose points stand no wider apart than this; "
-        "0: all points"));
+        "0: all points"),
+    number_row<&ReadSettings::png_pixel_m>(
+        "png_pixel_m", 0, 1000, "m", "png",
+        "Edge of a pixel of a PNG file that tells none, neither itself nor by a world file (pgw)"),
+    number_row<&ReadSettings::png_step_m>(
+        "png_step_m", -1000, 1000, "m", "png",
+        "Depth of one grey value of a PNG file that does not tell it; negative where greater "
+        "values are farther away"),
+    number_row<&ReadSettings::png_zero_m>("png_zero_m", -1e9, 1e9, "m", "png",
+                                          "Depth of grey value 0 of such a file"));
 
 constexpr auto kReadRows = setting_rows(
     choice_row<&ReadSettings::format>(
@@ -122,6 +132,14 @@ constexpr auto kWriteCloudRows = setting_rows(
         "whole doubles"),
     choice_row<&WriteSettings::ply_format>("ply_format", "binary|binary_big_endian|ascii", "ply",
                                            "binary is little-endian"),
+    doubles_row<&WriteSettings::png_direction>(
+        "png_direction", -1, 1, "1", "png",
+        "Where a depth image is seen from: x, y, z toward the viewer; empty: from above"),
+    number_row<&WriteSettings::png_pixel_m>(
+        "png_pixel_m", 0, 1000, "m", "png",
+        "Edge of a pixel of a depth image; 0: two points a pixel on average"),
+    choice_row<&WriteSettings::png_bits>("png_bits", "16|8", "png",
+                                         "Bits of a grey value of a depth image"),
     integer_row<&WriteSettings::decimals>(
         "decimals", -1, 17, "", "text",
         "Decimals of the coordinates; -1: as many as give the same number back"));
@@ -173,8 +191,10 @@ std::span<const ParamRow> write_rows() { return kWriteRows; }
 std::span<const ParamRow> convert_rows() { return kConvertRows; }
 std::span<const FormatInfo> formats() {
   using Table = std::span<const FormatInfo>;
-  if (has_codecs()) return has_sqlite() ? Table(kInfos<kCodecs | kSqlite>) : kInfos<kCodecs>;
-  return has_sqlite() ? Table(kInfos<kSqlite>) : kInfos<kNoComponent>;
+  static constexpr std::array<Table, 8> kTables{kInfos<0>, kInfos<1>, kInfos<2>, kInfos<3>,
+                                                kInfos<4>, kInfos<5>, kInfos<6>, kInfos<7>};
+  return kTables[(has_codecs() ? kCodecs : 0u) | (has_sqlite() ? kSqlite : 0u) |
+                 (png::has_libpng() ? kLibpng : 0u)];
 }
 
 }  // namespace jalon

@@ -23,6 +23,7 @@
 #include "formats/obj/obj.h"
 #include "formats/pcd/pcd.h"
 #include "formats/ply/ply.h"
+#include "formats/png/png.h"
 #include "formats/pts/pts.h"
 #include "formats/ptx/ptx.h"
 #include "formats/settings.h"
@@ -45,6 +46,7 @@ enum Component : unsigned {
   kNoComponent = 0,
   kCodecs = 1,  ///< the decoders of formats/codecs
   kSqlite = 2,
+  kLibpng = 4,
 };
 
 /// A function that a format has, or none. That it is there is a flag: under its sanitizer of
@@ -164,6 +166,15 @@ inline constexpr Format kFormats[] = {
      .read_cloud = read_pcd,
      .write_cloud = write_pcd,
      .keeps_station = true},
+    {.name = "PNG",
+     .keyword = "png",
+     .extensions = "png",
+     .content = Content::kCertain,
+     .recognises = is_png,
+     .mark = "0x89 and PNG",
+     .read_cloud = read_png,
+     .write_cloud = write_png,
+     .component = kLibpng},
     {.name = "PTX", .keyword = "ptx", .extensions = "ptx", .read_cloud = read_ptx},
     {.name = "PTS",
      .keyword = "pts",

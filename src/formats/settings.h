@@ -19,6 +19,7 @@ enum class PlyForm { kLittleEndian, kBigEndian, kAscii };
 enum class DxfVersion { kR12, kR2000 };
 enum class DxfView { kWorld, kElevation };
 enum class StlForm { kBinary, kAscii };
+enum class PngBits { k16, k8 };
 
 /// The options of the operation "read". Each reader takes those of its format.
 struct ReadSettings {
@@ -29,6 +30,9 @@ struct ReadSettings {
   FileUnit unit = FileUnit::kAuto;
   std::vector<double> box{};  ///< least x, y, z, then greatest; empty = all
   double spacing_m = 0;       ///< 0 = all points
+  double png_pixel_m = 0;     ///< of files that do not tell it, as the next two
+  double png_step_m = 0;
+  double png_zero_m = 0;
 
   bool reads_all() const { return box.empty() && spacing_m == 0; }
   /// The box, closed, or all space; Error(kInvalidArgument) where it is none.
@@ -41,6 +45,9 @@ struct WriteSettings {
   LasVersion las_version = LasVersion::kAuto;
   double scale = 0;  ///< metres; 0 = as in the file that the cloud came from
   PlyForm ply_format = PlyForm::kLittleEndian;
+  std::vector<double> png_direction{};  ///< toward the viewer; empty = upward
+  double png_pixel_m = 0;               ///< 0 = two points a pixel on average
+  PngBits png_bits = PngBits::k16;
   int decimals = -1;  ///< -1 = as many as give the same number back
   double chord_error_m = 0.001;
   DxfVersion dxf_version = DxfVersion::kR2000;

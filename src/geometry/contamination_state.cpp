@@ -49,8 +49,8 @@ PointInformation information_of(const PlaneSample& s, double residual,
 
 constexpr size_t kShared = 4, kPerZone = 2;  // unknowns of all points, and of a zone's
 
-/// Sums of PointInformation's second derivatives and products of scores, without the zeros and what stands twice: to the
-/// bit those of the matrices.
+/// Sums of PointInformation's second derivatives and products of scores, without the zeros and what stands twice: to
+/// the bit those of the matrices.
 struct Sums {
   struct Entries {
     std::array<double, kShared*(kShared + 1) / 2> shared{};  ///< upper triangle, row by row

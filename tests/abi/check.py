@@ -20,7 +20,7 @@ from source import ROOT, Tally, public_functions  # noqa: E402
 
 NODE = "JALON_0"
 SYSTEM_LIBRARIES = re.compile(r"lib(c|m|pthread|stdc\+\+|gcc_s)\.so\.\d+$|ld-linux.*")
-OPTIONAL = {"FCL": ["libfcl", "libccd"], "SQLITE": ["libsqlite3"]}  # by the option of the build that brings them
+OPTIONAL = {"FCL": ["libfcl", "libccd"], "SQLITE": ["libsqlite3"], "LIBPNG": ["libpng16", "libz"]}  # by the option of the build that brings them
 LINKER_MADE = re.compile(r"^(completed\.\d+|__dso_handle|_DYNAMIC|_GLOBAL_OFFSET_TABLE_|__TMC_END__|__bss_start|_edata|_end|"
                          r"DW\.ref\..*|__gcov.*|__llvm.*)$")
 # Of the optional component of Rust, whose names change with its compiler: what its run time keeps about panics, threads and the

@@ -9,8 +9,8 @@ namespace fuzz {
 namespace {
 
 constexpr char kLas[] = "las", kLaz[] = "laz", kE57[] = "e57", kPly[] = "ply", kPcd[] = "pcd",
-               kPtx[] = "ptx", kPts[] = "pts", kXyz[] = "xyz", kCsv[] = "csv", kObj[] = "obj",
-               kStl[] = "stl", kCity[] = "city.json", kDxf[] = "dxf";
+               kPng[] = "png", kPtx[] = "ptx", kPts[] = "pts", kXyz[] = "xyz", kCsv[] = "csv",
+               kObj[] = "obj", kStl[] = "stl", kCity[] = "city.json", kDxf[] = "dxf";
 
 template <const char* kExtension>
 void cloud(const uint8_t* data, size_t size) {
@@ -29,6 +29,7 @@ constexpr Target kTargets[] = {
     {"ply", cloud<kPly>},
     {"ply_model", model<kPly>},
     {"pcd", cloud<kPcd>},
+    {"png", cloud<kPng>},
     {"ptx", cloud<kPtx>},
     {"pts", cloud<kPts>},
     {"xyz", cloud<kXyz>},

@@ -31,6 +31,8 @@ std::vector<File> pts_files();
 std::vector<File> pcd_files();
 /// Good points with bad stations: in a record of LAS, in a comment of PLY, in a file beside text.
 std::vector<File> station_files();
+/// Of our own writer, with check sums mended or not; none where the library was built without libpng.
+std::vector<File> png_files();
 /// Of our own writer, read by box too; none where the library was built without LAZ.
 std::vector<File> copc_files();
 /// Damaged files of others, from the folder of shared data; none where that is absent.

@@ -205,7 +205,7 @@ int main() {
   size_t skipped = 0, failed_of_others = 0, passed_of_others = 0;
   for (const auto& [format, files] :
        {std::pair{"LAZ", malformed::laz_files()}, std::pair{"E57", malformed::e57_files()},
-        std::pair{"COPC", malformed::copc_files()}}) {
+        std::pair{"COPC", malformed::copc_files()}, std::pair{"PNG", malformed::png_files()}}) {
     if (files.empty()) std::printf("%s: skipped: no shared data, or not built\n", format);
     if (files.empty()) ++skipped;
     else ++(run.read_all(format, files, 300) ? passed_of_others : failed_of_others);

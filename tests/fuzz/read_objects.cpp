@@ -183,7 +183,8 @@ void mend(std::string& bytes, uint32_t kind) {
   std::memcpy(header + 28, &spare, 4);
 }
 
-constexpr const char* kCloudFormats[] = {"las", "laz", "e57", "ply", "pcd", "pts", "xyz", "csv"};
+constexpr const char* kCloudFormats[] = {"las", "laz", "e57", "ply", "pcd",
+                                         "pts", "xyz", "csv", "png"};
 constexpr const char* kModelFormats[] = {"dxf", "city.json", "obj",  "stl",    "ply",
                                          "glb", "ifc",       "gpkg", "geojson"};
 

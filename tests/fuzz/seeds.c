@@ -75,7 +75,7 @@ static jalon_cloud* seed_cloud(int with_fields) {
 
 static void write_clouds(void) {
   static const char* const formats[] = {"las", "laz", "copc.laz", "e57", "ply",
-                                        "pcd", "pts", "xyz",      "csv"};
+                                        "pcd", "pts", "xyz",      "csv", "png"};
   for (int rich = 0; rich < 2; ++rich) {
     jalon_cloud* const cloud = seed_cloud(rich);
     for (size_t i = 0; i < sizeof formats / sizeof *formats; ++i) {

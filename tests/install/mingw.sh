@@ -22,7 +22,7 @@ cp -r /usr/share/eigen3/cmake "$headers/share/eigen3/"
 
 configured() {
   cmake -S "$root" -B "$build" -DCMAKE_TOOLCHAIN_FILE="$here/mingw.cmake" -DJALON_HEADERS="$headers" -DCMAKE_BUILD_TYPE=Release \
-    -DJALON_WERROR=ON -DJALON_WITH_FCL=OFF -DJALON_WITH_SQLITE=OFF -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$headers/include"
+    -DJALON_WERROR=ON -DJALON_WITH_FCL=OFF -DJALON_WITH_SQLITE=OFF -DJALON_WITH_LIBPNG=OFF -DBoost_NO_BOOST_CMAKE=ON -DBoost_INCLUDE_DIR="$headers/include"
 }
 check "is configured" configured
 [ $failed -eq 0 ] || finish

@@ -39,13 +39,15 @@ names fcl "apt install libfcl-dev"
 names fcl "-DJALON_WITH_FCL=OFF"
 names SQLite3 "apt install libsqlite3-dev"
 names SQLite3 "-DJALON_WITH_SQLITE=OFF"
+names PNG "apt install libpng-dev"
+names PNG "-DJALON_WITH_LIBPNG=OFF"
 names CLI11 "apt install libcli11-dev"
 names "doctest cmocka" "apt install doctest-dev libcmocka-dev" -DJALON_BUILD_TESTS=ON
 names SWIG "apt install swig" -DJALON_BUILD_BINDINGS=ON -DJALON_BINDING_LANGUAGES=python
 names "Java JNI" "apt install default-jdk-headless" -DJALON_BUILD_BINDINGS=ON -DJALON_BINDING_LANGUAGES=java
 names "Boost fcl SWIG" "missing: Boost 1.74, FCL 0.7, SWIG 4. On Debian this installs it: apt install libboost-dev libfcl-dev swig" \
   -DJALON_BUILD_BINDINGS=ON -DJALON_BINDING_LANGUAGES=python
-hidden "fcl ccd SQLite3 CLI11 SWIG Java JNI" -DJALON_WITH_FCL=OFF -DJALON_WITH_SQLITE=OFF -DJALON_BUILD_CLI=OFF -DJALON_BUILD_BINDINGS=ON
+hidden "fcl ccd SQLite3 PNG CLI11 SWIG Java JNI" -DJALON_WITH_FCL=OFF -DJALON_WITH_SQLITE=OFF -DJALON_WITH_LIBPNG=OFF -DJALON_BUILD_CLI=OFF -DJALON_BUILD_BINDINGS=ON
 result "what was not asked for may be missing" $?
 says "Bindings: none, swig or Python is missing"
 result "bindings that nobody named are left out, and the log says so" $?

@@ -135,6 +135,11 @@ check "network writes its points as a table" bash -c "head -1 survey/points.csv 
 check "network draws its plan with ellipses and lists the reliability" bash -c "grep -q '95 % ellipse' survey/plan.svg && grep -q 'Reliability (Baarda)' survey/report.html"
 refuses "a survey with a wrong line" 3 'observations, line 2' bash -c "printf 'from to distance\\nA B far\\n' >wrong.txt; exec '$jalon' network wrong.txt -o no"
 refuses "a survey that nothing holds" 5 'nothing holds' "$jalon" network sights.txt -o no
+if "$jalon" formats | grep -q '^PNG .*read write'; then
+  check "a raster is written, and segmented again" bash -c "'$jalon' segment sample.las -o grown --method raster_growing --raster --quiet && '$jalon' segment grown/raster.png -o again --method raster_growing --json --quiet | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"segments\"], d'"
+else
+  echo "skipped: depth images (libpng was not built)" && skipped=$((skipped + 1))
+fi
 check "segment compares all methods with the true faces" bash -c "'$jalon' segment sample.las -o methods --compare-methods --reference-labels face --json --quiet | python3 -c '
 import json, sys
 rows = {row[\"method\"]: row for row in json.load(sys.stdin)[\"methods\"]}

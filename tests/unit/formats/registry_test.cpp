@@ -10,6 +10,7 @@
 #include "base/setting_rows.h"
 #include "formats/codecs/codecs.h"
 #include "formats/geopackage/sqlite_database.h"
+#include "formats/png/grey_file.h"
 #include "unit/formats/opened_file.h"
 
 using namespace jalon;
@@ -44,9 +45,9 @@ std::string refusal_to_write(const std::string& name, bool model) {
 
 TEST_CASE("registry__choices_of_the_options_are_the_formats_that_have_the_function") {
   CHECK(std::string(read_rows()[0].choices) ==
-        "auto|copc|laz|e57|las|ply|pcd|ptx|pts|text|obj|stl|cityjson|dxf");
+        "auto|copc|laz|e57|las|ply|pcd|png|ptx|pts|text|obj|stl|cityjson|dxf");
   CHECK(std::string(write_rows()[0].choices) ==
-        "auto|copc|laz|e57|las|ply|pcd|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc|gpkg");
+        "auto|copc|laz|e57|las|ply|pcd|png|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc|gpkg");
 }
 
 TEST_CASE("registry__every_choice_reads_or_writes_something") {
@@ -55,6 +56,7 @@ TEST_CASE("registry__every_choice_reads_or_writes_something") {
   for (const Format& format : kFormats) {
     if (format.component == kCodecs && !has_codecs()) continue;
     if (format.component == kSqlite && !has_sqlite()) continue;
+    if (format.component == kLibpng && !png::has_libpng()) continue;
     CAPTURE(format.name);
     WriteSettings settings;
     settings.format = format.keyword;
@@ -70,17 +72,27 @@ TEST_CASE("registry__abilities_follow_from_the_functions") {
   for (const FormatInfo& info : formats())
     lines.push_back(std::string(info.name) + ": " + info.extensions + ": " + info.abilities);
   const std::string optional = has_codecs() ? "cloud read write" : "";
-  CHECK(lines ==
-        std::vector<std::string>{
-            "COPC: copc.laz: " + optional, "LAZ: laz: " + optional, "E57: e57: " + optional,
-            "LAS: las: cloud read write", "PLY: ply: cloud read write, model read write",
-            "PCD: pcd: cloud read write", "PTX: ptx: cloud read", "PTS: pts: cloud read write",
-            "Text: xyz txt asc: cloud read write", "CSV: csv: cloud read write",
-            "OBJ: obj: model read write", "STL: stl: model read write",
-            "CityJSON: city.json cityjson json: model read write", "DXF: dxf: model read write",
-            "GeoJSON: geojson: model write", "glTF: glb: model write", "IFC: ifc: model write",
-            std::string("GeoPackage: gpkg: ") + (has_sqlite() ? "model write" : ""),
-            "SVG: svg: drawing write"});
+  CHECK(lines == std::vector<std::string>{
+                     "COPC: copc.laz: " + optional,
+                     "LAZ: laz: " + optional,
+                     "E57: e57: " + optional,
+                     "LAS: las: cloud read write",
+                     "PLY: ply: cloud read write, model read write",
+                     "PCD: pcd: cloud read write",
+                     std::string("PNG: png: ") + (png::has_libpng() ? "cloud read write" : ""),
+                     "PTX: ptx: cloud read",
+                     "PTS: pts: cloud read write",
+                     "Text: xyz txt asc: cloud read write",
+                     "CSV: csv: cloud read write",
+                     "OBJ: obj: model read write",
+                     "STL: stl: model read write",
+                     "CityJSON: city.json cityjson json: model read write",
+                     "DXF: dxf: model read write",
+                     "GeoJSON: geojson: model write",
+                     "glTF: glb: model write",
+                     "IFC: ifc: model write",
+                     std::string("GeoPackage: gpkg: ") + (has_sqlite() ? "model write" : ""),
+                     "SVG: svg: drawing write"});
 }
 
 TEST_CASE("registry__rows_are_whole") {
@@ -98,7 +110,7 @@ TEST_CASE("registry__messages_list_what_the_rows_can") {
   CHECK(refusal("a.geojson", "{}", true) ==
         "GeoJSON, glTF, IFC and GeoPackage are written, not read");
   CHECK(refusal("a", "\x01\x02", false) ==
-        "neither COPC, LAZ, E57, LAS, PLY, PCD, PTX, PTS, OBJ, STL, CityJSON, DXF nor text");
+        "neither COPC, LAZ, E57, LAS, PLY, PCD, PNG, PTX, PTS, OBJ, STL, CityJSON, DXF nor text");
   CHECK(refusal("a.obj", "v 0 0 0\n", false) ==
         "OBJ, STL, CityJSON and DXF hold a model, no cloud");
   CHECK(refusal("a.xyz", "1 2 3\n", true) == "no model; models are CityJSON, DXF, OBJ, PLY or STL");
@@ -106,7 +118,7 @@ TEST_CASE("registry__messages_list_what_the_rows_can") {
     CHECK(has_text(refusal("a.xyz", "ASTM-E57 and more", false), "E57 needs the component"));
   CHECK(refusal_to_write("a.doc", false) ==
         "no format of extension \"doc\" can be written; there are: copc.laz, laz, e57, las, ply, "
-        "pcd, pts, "
+        "pcd, png, pts, "
         "xyz, txt, asc, csv");
   CHECK(refusal_to_write("a.svg", true) ==
         "no format of extension \"svg\" can be written; there are: ply, obj, stl, city.json, "

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/options.h"
+#include "cli/table.h"
+
+namespace jalon::cli {
+
+/// The depth image that raster_growing looks at, as a PNG of 16 bits: "--raster".
+struct RasterFile {
+  bool wanted = false;
+
+  void add_to(Command& command) {
+    command.flag("--raster", wanted,
+                 "Method raster_growing: write its depth image too, raster.png, which can be "
+                 "segmented again");
+  }
+  void check(const std::string& method) const {
+    if (wanted && method != "raster_growing")
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--raster is for --method raster_growing"};
+  }
+  /// raster.png, where path_of a name says: of the given plane of projection, else of the largest segment's; its name,
+  /// none where it was not asked for.
+  std::vector<std::string> write(const Console& console, const Cloud& cloud, const Params& method,
+                                 const Table& segments,
+                                 const std::function<std::string(const char*)>& path_of) const {
+    if (!wanted) return {};
+    const char* projection = nullptr;
+    const double* given = nullptr;
+    uint64_t count = 0;
+    double pixel_m = 0;
+    must(jalon_params_get_string(method.get(), "projection", &projection));
+    must(jalon_params_get_doubles(method.get(), "direction", &given, &count));
+    must(jalon_params_get_double(method.get(), "pixel_m", &pixel_m));
+    std::vector<double> direction(given, given + count);
+    if (std::string_view(projection) != "given")
+      for (const uint32_t k : {0u, 1u, 2u}) direction[k] = segments.number("normal", 0, k);
+    const Params options = make_params("write");
+    must(jalon_params_set_doubles(options.get(), "png_direction", direction.data(),
+                                  direction.size()));
+    must(jalon_params_set_double(options.get(), "png_pixel_m", pixel_m));
+    must(jalon_cloud_write(cloud.get(), path_of("raster.png").c_str(), options.get(),
+                           console.task()));
+    return {"raster.png"};
+  }
+};
+
+}  // namespace jalon::cli
