@@ -99,8 +99,8 @@ constexpr auto kPlaceRows = setting_rows(
         "spacing_m", 0, 1e9, "m", "copc",
         "Read a COPC file's octree down to the level whose points stand no wider apart than this; "
         "0: all points"),
-    number_row<&ReadSettings::png_pixel_m>(
-        "png_pixel_m", 0, 1000, "m", "png",
+    number_row<&ReadSettings::png_source_pixel_m>(
+        "png_source_pixel_m", 0, 1000, "m", "png",
         "Edge of a pixel of a PNG file that tells none, neither itself nor by a world file (pgw)"),
     number_row<&ReadSettings::png_step_m>(
         "png_step_m", -1000, 1000, "m", "png",

@@ -28,9 +28,9 @@ struct ReadSettings {
   bool drop_invalid = false;
   Polygons polygons = Polygons::kAuto;
   FileUnit unit = FileUnit::kAuto;
-  std::vector<double> box{};  ///< least x, y, z, then greatest; empty = all
-  double spacing_m = 0;       ///< 0 = all points
-  double png_pixel_m = 0;     ///< of files that do not tell it, as the next two
+  std::vector<double> box{};      ///< least x, y, z, then greatest; empty = all
+  double spacing_m = 0;           ///< 0 = all points
+  double png_source_pixel_m = 0;  ///< of files that do not tell it, as the next two
   double png_step_m = 0;
   double png_zero_m = 0;
 

@@ -49,6 +49,8 @@ def main():
     tally.check("abi: parameters, their order, defaults, ranges, units and help equal the committed tables",
                 ["+ " + line for line in found if line not in committed] + ["- " + line for line in committed if line not in found] +
                 (["the order"] if sorted(found) == sorted(committed) and found != committed else []))
+    owners = [tuple(line.split("; ")[:2]) for line in found]
+    tally.check("abi: no set has two parameters of one name", ["%s: %s" % o for o in sorted(set(owners)) if owners.count(o) > 1])
     tally.close()
 
 

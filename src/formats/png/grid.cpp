@@ -87,11 +87,11 @@ DepthGrid grid_of_file(const ByteSource& source, const std::string& text, uint32
     grid.origin = {n[4], n[5], settings.png_zero_m};
     return grid;
   }
-  const double pixel = settings.png_pixel_m;
+  const double pixel = settings.png_source_pixel_m;
   if (!(pixel > 0))
     source.refuse(0,
                   "neither the file nor a world file (pgw) beside it tells what a pixel is in "
-                  "metres: the option \"png_pixel_m\" does");
+                  "metres: the option \"png_source_pixel_m\" does");
   grid.right = {pixel, 0, 0};
   grid.down = {0, -pixel, 0};
   grid.origin = {0.5 * pixel, (rows - 0.5) * pixel, settings.png_zero_m};

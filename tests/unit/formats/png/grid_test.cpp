@@ -36,9 +36,9 @@ TEST_CASE("png_grid__of_a_file_is_its_own_then_that_of_its_world_file_then_of_th
   };
   CHECK(has_text(refused(""), "png_step_m"));
   settings.png_step_m = 0.001;
-  CHECK(has_text(refused(""), "png_pixel_m"));
+  CHECK(has_text(refused(""), "png_source_pixel_m"));
   CHECK(has_text(refused("1 2"), "twelve numbers"));
-  settings.png_pixel_m = 0.5;
+  settings.png_source_pixel_m = 0.5;
   settings.png_zero_m = 7;
   const DepthGrid plain = grid_of_file(source, "", 10, settings);
   CHECK(plain.point(0, 9, 0) == Vec3{0.25, 0.25, 7});

@@ -13,7 +13,7 @@ TEST_CASE("png__of_a_foreign_file_the_options_tell_what_pixels_are") {
   const OpenedFile file(small_png(), "a.png");
   Task task;
   ReadSettings settings;
-  settings.png_pixel_m = 0.1;
+  settings.png_source_pixel_m = 0.1;
   settings.png_step_m = 0.01;
   const Cloud cloud = read_png(file, settings, task);
   REQUIRE(cloud.size() == 3);
