@@ -99,7 +99,7 @@ class Called {
       for (int at : Returns.of(method.bytecodes())) {
         final BreakpointRequest request = type.virtualMachine().eventRequestManager()
             .createBreakpointRequest(method.locationOfCodeIndex(at));
-        request.setSuspendPolicy(EventRequest.SUSPEND_NONE);
+        request.setSuspendPolicy(EventRequest.SUSPEND_EVENT_THREAD); // else the machine may end before it is asked
         request.enable();
         requests.add(request);
       }
