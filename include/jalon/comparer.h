@@ -81,8 +81,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_overlap(const jalon_cloud* refere
  *   what was not measured (Girardeau-Montaut 2006, 5.4). Zones that moved are found by the whole
  *   slope's tests, of one sign each; jalon_comparison_regions measures them,
  *   jalon_comparison_outlines draws their boundaries and the ground that neither or only one epoch
- *   has measured. No such ground is filled in. Plants count as ground: take them out first. The
- *   rows are the cells, the points of the comparison their middles. O(n log n).
+ *   has measured. No such ground is filled in. Plants count as ground: take them out first. Of
+ *   upright scarps half in shadow the volume is too small, by more than its sigma tells. The rows
+ *   are the cells, the points of the comparison their middles. O(n log n).
  */
 JALON_API JALON_CHECK jalon_status jalon_comparer_create(const char* method, jalon_comparer** out);
 /** The names of the methods, the default first. Static texts. */

@@ -46,12 +46,6 @@ void draw(const Console& console, jalon_segmentation* segmentation, jalon_model*
   must(jalon_report_write_elevation(segmentation, model, path.c_str(), options, console.task()));
 }
 
-Json json_of(jalon_params* params) {
-  const char* json = nullptr;
-  must(jalon_params_to_json(params, &json));
-  return Json::parse(json);
-}
-
 // What differs from the defaults, and the three numbers that every scanner's specification has.
 Json told(jalon_params* params) {
   const Json all = json_of(params), defaults = json_of(make_params("precision").get());

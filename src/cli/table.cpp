@@ -107,4 +107,10 @@ std::string Table::csv() const {
   return out;
 }
 
+nlohmann::ordered_json json_of(jalon_params* params) {
+  const char* json = nullptr;
+  must(jalon_params_to_json(params, &json));
+  return nlohmann::ordered_json::parse(json);
+}
+
 }  // namespace jalon::cli

@@ -46,4 +46,7 @@ class Table {
   std::vector<Column> columns_;
 };
 
+/// The values of a set of parameters.
+nlohmann::ordered_json json_of(jalon_params* params);
+
 }  // namespace jalon::cli

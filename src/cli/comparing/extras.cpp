@@ -12,12 +12,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json_of(const Params& params) {
-  const char* text = nullptr;
-  must(jalon_params_to_json(params.get(), &text));
-  return Json::parse(text);
-}
-
 // volumes.csv has a row a cell; of two closed models there are none.
 Json write_volumes(const Console& console, const PathOf& path_of, const Side& reference,
                    const Side& compared, const Settings& settings) {
@@ -31,7 +25,7 @@ Json write_volumes(const Console& console, const PathOf& path_of, const Side& re
     must(jalon_cloud_volume(reference.cloud.get(), compared.cloud.get(), options.get(),
                             console.task(), Out(summary), Out(cells)));
   write_text_file(path_of("volumes.csv"), Table(std::move(cells)).csv());
-  Json out{{"parameters", json_of(options)}};
+  Json out{{"parameters", json_of(options.get())}};
   out.update(Table(std::move(summary)).object(0));
   return out;
 }

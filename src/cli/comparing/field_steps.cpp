@@ -205,9 +205,7 @@ Json FieldSteps::run(const Console& console, const Cloud& cloud, const Cloud& re
   Json out = Json::array();
   for (const std::string& text : texts_) {
     const FieldStep step = step_of(text);
-    const char* parameters = nullptr;
-    must(jalon_params_to_json(step.params.get(), &parameters));
-    Json one{{"operation", step.operation}, {"parameters", Json::parse(parameters)}};
+    Json one{{"operation", step.operation}, {"parameters", json_of(step.params.get())}};
     one.update(operation_of(step.operation).run(state, step));
     out.push_back(std::move(one));
   }

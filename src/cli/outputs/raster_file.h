@@ -12,14 +12,14 @@
 
 namespace jalon::cli {
 
-/// The depth image that raster_growing looks at, as a PNG of 16 bits: "--raster".
+/// A depth image from where raster_growing looks, drawn for itself, as a PNG of 16 bits: "--raster".
 struct RasterFile {
   bool wanted = false;
 
   void add_to(Command& command) {
     command.flag("--raster", wanted,
-                 "Method raster_growing: write its depth image too, raster.png, which can be "
-                 "segmented again");
+                 "Method raster_growing: write a depth image from where it looks too, raster.png, "
+                 "which can be segmented again");
   }
   void check(const std::string& method) const {
     if (wanted && method != "raster_growing")

@@ -19,7 +19,7 @@ constexpr auto kLandslideRows = setting_rows(
     number_row<&S::cell_m>(
         "cell_m", 0, 1e6, "m", "",
         "Side of the square cells across the direction; 0 = the smallest of 1, 2, 5 x 10^k m that "
-        "leave nine tenths of those with points at least min_points in either epoch."),
+        "leave 85 of 100 of those with points at least min_points in either epoch."),
     integer_row<&S::min_points>(
         "min_points", 3, 1e6, "points", "",
         "Fewest points of an epoch in a cell; with fewer the cell is not measured."),
