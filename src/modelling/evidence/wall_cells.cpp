@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "modelling/evidence/cell_classes.h"
+#include "modelling/plane/point_block.h"
 #include "modelling/plane/point_stations.h"
 #include "modelling/plane/ring_tools.h"
 #include "modelling/plane/spacing.h"
@@ -34,9 +35,11 @@ struct Sight {
   std::vector<uint8_t> is_parallel;  ///< by label
 
   void mark(const Vec2& p, uint8_t what) {
-    const double c = (p.u - out.origin.u) / out.cell_m, r = (p.v - out.origin.v) / out.cell_m;
-    if (!(c >= 0 && r >= 0 && c < out.columns && r < out.rows)) return;
-    uint8_t& cell = marks[static_cast<size_t>(r) * out.columns + static_cast<size_t>(c)];
+    mark_cell((p.u - out.origin.u) / out.cell_m, (p.v - out.origin.v) / out.cell_m, what);
+  }
+  void mark_cell(double column, double row, uint8_t what) {
+    if (!(column >= 0 && row >= 0 && column < out.columns && row < out.rows)) return;
+    uint8_t& cell = marks[static_cast<size_t>(row) * out.columns + static_cast<size_t>(column)];
     if ((std::atomic_ref<uint8_t>(cell).load(std::memory_order_relaxed) & what) != what)
       std::atomic_ref<uint8_t>(cell).fetch_or(what, std::memory_order_relaxed);
   }
@@ -91,23 +94,66 @@ void look_along_ray(Sight& sight, const Vec3& eye, const Vec3& p, double w) {
   sight.mark(sight.out.frame.project(crossing), w < 0 ? kMarkBehind : kMarkBefore);
 }
 
-void look_at(Sight& sight, const CellSetting& setting, const Vec3& p, uint32_t label,
-             const Vec3* eye) {
-  const double w = sight.height_of(p), on = sight.out.on_m;
-  if (eye == nullptr && (w < -setting.deep_m || w > setting.before_m)) return;
-  if (std::fabs(w) <= on) {
-    sight.mark(sight.out.frame.project(p), sight.mark_within(label, w));
-    return;
-  }
-  if (w > 0 && w <= setting.relief_m) sight.mark(sight.out.frame.project(p), kMarkRelief);
+// What a point at height w says of the cell that it lies before or behind; 0: nothing.
+uint8_t mark_across(const Sight& sight, const CellSetting& setting, double w, uint32_t label,
+                    bool has_eye) {
+  if (std::fabs(w) <= sight.out.on_m) return sight.mark_within(label, w);
+  uint8_t what = 0;
+  if (w > 0 && w <= setting.relief_m) what = kMarkRelief;
   else if (w > 0 && w <= setting.proud_m)
-    sight.mark(sight.out.frame.project(p),
-               sight.is_parallel[label] != 0 ? kMarkProud | kMarkParallel : kMarkProud);
-  if (eye != nullptr) look_along_ray(sight, *eye, p, w);
-  else
-    sight.mark(sight.out.frame.project(p), w > 0                    ? kMarkBefore
-                                           : w >= -setting.behind_m ? kMarkBehind
-                                                                    : kMarkDeep);
+    what = sight.is_parallel[label] != 0 ? kMarkProud | kMarkParallel : kMarkProud;
+  if (has_eye) return what;
+  return what | (w > 0 ? kMarkBefore : w >= -setting.behind_m ? kMarkBehind : kMarkDeep);
+}
+
+// Some points and what one sight makes of them.
+struct SightBlock {
+  PointBlock points;
+  const Station* stations[PointBlock::kMost];
+  bool has_rays = false;  // that pass cells far from their points
+  double w[PointBlock::kMost], column[PointBlock::kMost], row[PointBlock::kMost];
+
+  void find_stations(PointStations& seen_from) {
+    has_rays = false;
+    for (size_t k = 0; k < points.count(); ++k) {
+      stations[k] = seen_from.of(points.index(k));
+      has_rays = has_rays || stations[k] != nullptr;
+    }
+  }
+  bool is_apart(const WallCells& cells, const CellSetting& setting) const {
+    if (has_rays) return false;
+    const FrameBox box = points.bounds(cells.frame);
+    return box.highest < -setting.deep_m || box.lowest > setting.before_m ||
+           box.high.u < cells.origin.u || box.high.v < cells.origin.v ||
+           box.low.u > cells.origin.u + cells.cell_m * cells.columns ||
+           box.low.v > cells.origin.v + cells.cell_m * cells.rows;
+  }
+  void place(const WallCells& cells) {
+    points.heights(cells.frame, w);
+    points.project(cells.frame, column, row);
+    const Vec2 origin = cells.origin;
+    const double cell_m = cells.cell_m;
+    for (size_t k = 0; k < PointBlock::kMost; ++k) {
+      column[k] = (column[k] - origin.u) / cell_m;
+      row[k] = (row[k] - origin.v) / cell_m;
+    }
+  }
+};
+
+void look_at(Sight& sight, const CellSetting& setting, const Cloud& cloud,
+             std::span<const uint32_t> labels, SightBlock& block) {
+  block.place(sight.out);
+  for (size_t k = 0; k < block.points.count(); ++k) {
+    const Station* station = block.stations[k];
+    const size_t i = block.points.index(k);
+    const double w = block.w[k];
+    const bool has_eye = station != nullptr;
+    if (!has_eye && (w < -setting.deep_m || w > setting.before_m)) continue;
+    const uint8_t what = mark_across(sight, setting, w, labels[i], has_eye);
+    if (what != 0) sight.mark_cell(block.column[k], block.row[k], what);
+    if (has_eye && std::fabs(w) > sight.out.on_m)
+      look_along_ray(sight, station->pose.translation(), cloud.point(i), w);
+  }
 }
 
 }  // namespace
@@ -125,16 +171,18 @@ std::vector<WallCells> wall_cells(const Segmentation& segmentation,
   });
   // 2. What the points show of each.
   const size_t n = sources.empty() ? 0 : cloud.size();
+  // Blocks of neighbours are apart from most walls. Rays go far: their points stay in their stations' order.
+  const auto tree = n != 0 && cloud.stations.empty() ? cloud.octree(task) : nullptr;
+  const auto order = tree != nullptr ? tree->order() : std::span<const uint32_t>{};
   parallel_for(task, n, kWallCellsPointsPerChunk, [&](size_t begin, size_t end) {
     PointStations stations(cloud);
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 p = cloud.point(i);
-      const Station* station = stations.of(i);
-      Vec3 eye;
-      if (station != nullptr) eye = station->pose.translation();
+    SightBlock block;
+    for (size_t first = begin; first < end; first += PointBlock::kMost) {
+      block.points.fill(cloud, order, first, std::min(PointBlock::kMost, end - first));
+      block.find_stations(stations);
       for (Sight& sight : sights)
-        if (!sight.marks.empty())
-          look_at(sight, setting, p, labels[i], station != nullptr ? &eye : nullptr);
+        if (!sight.marks.empty() && !block.is_apart(sight.out, setting))
+          look_at(sight, setting, cloud, labels, block);
     }
   });
   // 3. One state a cell.

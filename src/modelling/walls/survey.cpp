@@ -38,7 +38,9 @@ struct Survey {
 
   void mark(uint32_t cell, Seen what) {
     if (cell == kNoCell) return;
-    std::atomic_ref<uint8_t>(seen[cell]).fetch_or(what, std::memory_order_relaxed);
+    const std::atomic_ref<uint8_t> at(seen[cell]);
+    if ((at.load(std::memory_order_relaxed) & what) != what)
+      at.fetch_or(what, std::memory_order_relaxed);
   }
   double height_of(const Vec3& p) const {
     return dot(p - wall.plane->frame.origin, wall.plane->frame.normal) - wall.plane->frame.height;
