@@ -129,6 +129,7 @@ def full_suites():
         script("fuzz", "tests/fuzz/fuzz.sh", [], ["300"], full=True, packages=["clang-14"]),
         script("reproducible", "tests/install/reproducible.sh", ["jalon", "jalon_cli"], full=True),
         script("valgrind", "tests/reliability/valgrind.sh", ["c_tests", "fuzz_replay"], full=True, packages=["valgrind"]),
+        script("hostile", "tests/reliability/hostile.sh", ["counted_calls"], full=True, packages=["valgrind"]),
         script("mingw", "tests/install/mingw.sh", [], [], full=True, packages=["g++-mingw-w64-x86-64-posix", "wine64"]),
         script("viewer", "tests/viewer/check.py", ["jalon_cli"], full=True, packages=["chromium"]),
         script("static", "tests/install/static.sh", [], [], full=True),

@@ -74,9 +74,12 @@ void OrthoPoints::find_inside(double in_front_m, double behind_m, Task& task) {
   inside_.resize((cloud_.size() + kTogether - 1) / kTogether);
   parallel_for(task, cloud_.size(), kTogether, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      const Vec3 q = facade_.on_sheet(cloud_.point(i));
+      const Vec3 p = cloud_.point(i);
+      const double depth_m = facade_.view.depth_m(p);  // first: it turns most points away
+      if (!(depth_m <= in_front_m && depth_m >= -behind_m)) continue;
+      const Vec3 q = facade_.on_sheet(p);
       if (q.x >= facade_.left_m && q.x <= facade_.right_m && q.y >= facade_.bottom_m &&
-          q.y <= facade_.top_m && q.z <= in_front_m && q.z >= -behind_m)
+          q.y <= facade_.top_m)
         inside_[begin / kTogether].push_back(static_cast<uint16_t>(i - begin));
     }
   });
