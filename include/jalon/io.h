@@ -12,8 +12,9 @@
  * LAZ, COPC and E57 are an optional component of the library (JALON_WITH_RUST_FORMATS): without it they are
  * JALON_ERROR_UNSUPPORTED, the message names what to install, and jalon_format_info tells no abilities of them.
  *
- * Clouds: LAS 1.0-1.4 (point formats 0-10 read; 1.2 and 1.4 written; VLRs, EVLRs and CRS carried verbatim; other fields
- * as extra bytes, with "_exact" behind the name where a standard dimension of that name cannot hold the values; angles
+ * Clouds: LAS 1.0-1.4 (point formats 0-10; written as 1.2, with wave packets as 1.3, or as 1.4; VLRs, EVLRs and CRS
+ * carried verbatim, so also the samples of wave packets inside the file, while a ".wdp" beside it is the caller's to
+ * copy under the new name; other fields as extra bytes, with "_exact" behind the name where a standard dimension of that name cannot hold the values; angles
  * between the steps of a standard dimension are rounded there too), PLY (ASCII, both endians, all scalar properties),
  * XYZ/TXT/CSV text, and
  *

@@ -6,8 +6,8 @@ import laspy
 import numpy
 from laspy.vlrs.known import WktCoordinateSystemVlr
 
-from las_fields import (LOST_BY_LAZRS, SCALARS, VERSIONS, WKT, differences, fill, off_step, random_values, seen_by_laspy,
-                        standard_fields)
+from las_fields import (LOST_BY_LAZRS, SCALARS, VERSIONS, WKT, asked_version, differences, fill, off_step, random_values,
+                        seen_by_laspy, standard_fields)
 
 MOST_POINTS = 300
 STEPS = (1.0, 2.0, 2.5, 5.0)
@@ -96,13 +96,15 @@ def reads(jalon, folder, seeds):
 def drawn_by_jalon(seed):
     """(coordinates, fields, version)"""
     random = numpy.random.default_rng([58, seed])
-    point_format, n = int(random.choice((0, 1, 2, 3, 6, 7, 8))), int(random.integers(1, MOST_POINTS))
+    point_format, n = int(random.choice(list(VERSIONS))), int(random.integers(1, MOST_POINTS))
     xyz = random.uniform(-1, 1, (n, 3)) * 10 ** random.uniform(0, 3, 3) + PLACES[random.integers(len(PLACES))]
     fields = standard_fields(random, point_format, n)
     for k in range(int(random.integers(0, 5))):
         wide = int(random.integers(1, 4))
         fields["own %d" % k] = random_values(random, str(random.choice(SCALARS)), (n,) if wide == 1 else (n, wide))
-    return xyz, fields, "1.4" if point_format >= 6 else "1.2"
+    if point_format in LOST_BY_LAZRS:
+        fields["scanner_channel"] = numpy.zeros(n, "u1")
+    return xyz, fields, asked_version(point_format)
 
 
 def seen_problems(path, xyz, fields):

@@ -12,7 +12,7 @@ VERSIONS = {0: ("1.2", "1.3", "1.4"), 1: ("1.2", "1.3", "1.4"), 2: ("1.2", "1.3"
 # Jalon's name where it is not laspy's.
 NAMES = {"scan_direction_flag": "scan_direction", "scan_angle_rank": "scan_angle"}
 WAVES = ("wavepacket_index", "wavepacket_offset", "wavepacket_size", "return_point_wave_location", "x_t", "y_t", "z_t")
-# lazrs 0.8.2 reads other wave packets than it wrote where points are of several scanner channels.
+# lazrs 0.8.2 reads other wave packets than were written where points are of several scanner channels.
 LOST_BY_LAZRS = (9, 10)
 SCALARS = ("i1", "u1", "i2", "u2", "i4", "u4", "i8", "u8", "f4", "f8")
 
@@ -83,6 +83,15 @@ def off_step(xyz, wanted, scales):
     return ["coordinates of point %d are %s, not %s" % (bad[0], xyz[bad[0]], wanted[bad[0]])] if len(bad) else []
 
 
+WRITTEN_VERSIONS = {**dict.fromkeys(range(4), "1.2"), **dict.fromkeys((4, 5), "1.3"), **dict.fromkeys(range(6, 11), "1.4")}
+
+
+def asked_version(point_format):
+    """What Jalon is told for this point format: 1.3 it takes by itself."""
+    version = WRITTEN_VERSIONS[point_format]
+    return "auto" if version == "1.3" else version
+
+
 def standard_fields(random, point_format, n):
     """Fields that make Jalon choose this point format."""
     extended = point_format >= 6
@@ -100,12 +109,14 @@ def standard_fields(random, point_format, n):
         out["scan_angle"] = (random_values(random, "i2", n) * ANGLE_STEP).astype("f4")
     else:
         out["scan_angle"] = random_values(random, "i1", n).astype("f4")
-    if point_format in (1, 3, 6, 7, 8):
+    if point_format not in (0, 2):
         out["gps_time"] = random_values(random, "f8", n)
-    if point_format in (2, 3, 7, 8):
+    if point_format in (2, 3, 5, 7, 8, 10):
         out.update((name, random_values(random, "u2", n)) for name in ("red", "green", "blue"))
-    if point_format == 8:
+    if point_format in (8, 10):
         out["nir"] = random_values(random, "u2", n)
+    if point_format in (4, 5, 9, 10):
+        out.update((name, random_values(random, code, n)) for name, code in zip(WAVES, ("u1", "u8", "u4", "f4", "f4", "f4", "f4")))
     return out
 
 

@@ -103,15 +103,14 @@ std::vector<Dimension> dimensions(unsigned format_id) {
   if (format.nir >= 0) out.push_back(whole("nir", kUint16, format.nir, "", "near infrared"));
   if (format.wave >= 0) {
     const int at = format.wave;
-    out.push_back(whole("wavepacket_index", kUint8, at, "", "descriptor of the wave packet"));
+    out.push_back(whole(kWaveNames[0], kUint8, at, "", "descriptor of the wave packet"));
+    out.push_back(whole(kWaveNames[1], kUint64, at + 1, "byte", "where the wave packet lies"));
+    out.push_back(whole(kWaveNames[2], kUint32, at + 9, "byte", "length of the wave packet"));
     out.push_back(
-        whole("wavepacket_offset", kUint64, at + 1, "byte", "where the wave packet lies"));
-    out.push_back(whole("wavepacket_size", kUint32, at + 9, "byte", "length of the wave packet"));
-    out.push_back(whole("return_point_wave_location", kFloat32, at + 13, "ps",
-                        "of the return in the wave packet"));
-    out.push_back(whole("x_t", kFloat32, at + 17, "", "direction of the wave packet"));
-    out.push_back(whole("y_t", kFloat32, at + 21, "", "direction of the wave packet"));
-    out.push_back(whole("z_t", kFloat32, at + 25, "", "direction of the wave packet"));
+        whole(kWaveNames[3], kFloat32, at + 13, "ps", "of the return in the wave packet"));
+    out.push_back(whole(kWaveNames[4], kFloat32, at + 17, "", "direction of the wave packet"));
+    out.push_back(whole(kWaveNames[5], kFloat32, at + 21, "", "direction of the wave packet"));
+    out.push_back(whole(kWaveNames[6], kFloat32, at + 25, "", "direction of the wave packet"));
   }
   return out;
 }

@@ -21,6 +21,15 @@ struct Place {
   double factor = 1;  ///< stored number times factor = field value
 };
 
+/// The fields of a wave packet, in the order of the record.
+inline constexpr const char* kWaveNames[] = {"wavepacket_index",
+                                             "wavepacket_offset",
+                                             "wavepacket_size",
+                                             "return_point_wave_location",
+                                             "x_t",
+                                             "y_t",
+                                             "z_t"};
+
 struct Dimension {
   FieldInfo field;
   Place place;

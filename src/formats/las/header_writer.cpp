@@ -16,8 +16,17 @@ namespace {
 
 constexpr unsigned kCompressed = 0x80;  // of the byte of the point format (LASzip)
 constexpr uint16_t kWktBit = 16, kTimeTypeBit = 1, kSyntheticReturnsBit = 8;
+// Where the samples of wave packets are: in this file, or in one of the same name ending in ".wdp".
+constexpr uint16_t kWavesInsideBit = 2, kWavesBesideBit = 4;
 
 void put_text(std::byte* to, const char* text) { std::memcpy(to, text, std::strlen(text)); }
+
+// The record of the samples, which LAS 1.4 alone has room for among others.
+std::vector<Record>::const_iterator waves_inside(const Plan& plan) {
+  constexpr unsigned kWaveData = 65535;
+  return std::ranges::find_if(plan.evlrs,
+                              [](const Record& r) { return r.is(kSpecUser, kWaveData); });
+}
 
 void put_identity(std::byte* out, const Plan& plan) {
   if (!plan.old_header.empty()) {
@@ -33,6 +42,10 @@ void put_identity(std::byte* out, const Plan& plan) {
   for (const auto* list : {&plan.vlrs, &plan.evlrs})
     for (const Record& record : *list) wkt = wkt || record.is("LASF_Projection", 2112);
   uint16_t encoding = load<uint16_t>(out + 6) & (kTimeTypeBit | kSyntheticReturnsBit);
+  if (point_format(plan.format)->wave >= 0)
+    encoding |= waves_inside(plan) != plan.evlrs.end()
+                    ? kWavesInsideBit
+                    : static_cast<uint16_t>(load<uint16_t>(out + 6) & kWavesBesideBit);
   // COPC has no other texts of a CRS, and readers ask for the bit where it has none too.
   const bool is_copc = !plan.vlrs.empty() && is_copc_record(plan.vlrs[0]);
   if ((wkt && plan.version_minor == 4) || is_copc) encoding |= kWktBit;
@@ -66,7 +79,9 @@ void put_tally(std::byte* out, const Plan& plan, const Tally& tally, uint64_t co
 
 }  // namespace
 
-size_t header_size(const Plan& plan) { return plan.version_minor == 4 ? 375 : 227; }
+size_t header_size(const Plan& plan) {
+  return plan.version_minor == 4 ? 375 : plan.version_minor == 3 ? 235 : 227;
+}
 
 uint64_t point_offset_of(const Plan& plan) {
   uint64_t offset = header_size(plan);
@@ -92,6 +107,12 @@ std::vector<std::byte> header_bytes(const Plan& plan, const Written& written, ui
   if (!plan.evlrs.empty()) {
     store<uint64_t>(out.data() + 235, point_offset + written.bytes);
     store<uint32_t>(out.data() + 243, static_cast<uint32_t>(plan.evlrs.size()));
+    const auto waves = waves_inside(plan);
+    if (waves != plan.evlrs.end() && point_format(plan.format)->wave >= 0) {
+      uint64_t at = point_offset + written.bytes;
+      for (auto record = plan.evlrs.begin(); record != waves; ++record) at += record->bytes.size();
+      store<uint64_t>(out.data() + 227, at);
+    }
   }
   return out;
 }

@@ -50,19 +50,29 @@ bool is_extended_header(const std::vector<std::byte>& header) {
          (static_cast<unsigned>(header[104]) & 0x3Fu) >= 6;
 }
 
+// All that a wave packet's place in a record holds.
+bool has_wave_packets(const FieldTable& fields) {
+  for (const char* name : kWaveNames)
+    if (fields.find(name) == nullptr) return false;
+  return true;
+}
+
 // The smallest format of a family that has a place for the fields there are.
-unsigned format_in_family(const FieldTable& fields, bool extended) {
+unsigned format_in_family(const FieldTable& fields, bool extended, bool waves) {
   const bool rgb = fields.find("red") != nullptr || fields.find("green") != nullptr ||
                    fields.find("blue") != nullptr;
-  if (extended) return fields.find("nir") != nullptr ? 8 : rgb ? 7 : 6;
+  const bool nir = fields.find("nir") != nullptr;
+  if (extended && waves) return rgb || nir ? 10 : 9;
+  if (extended) return nir ? 8 : rgb ? 7 : 6;
+  if (waves) return rgb ? 5 : 4;
   return (fields.find("gps_time") != nullptr ? 1u : 0u) + (rgb ? 2u : 0u);
 }
 
-// Formats 6-8 hold values of standard fields that 0-3 cannot.
-bool needs_extended(const FieldTable& fields, Task& task) {
+// Formats 6-10 hold values of standard fields that 0-5 cannot.
+bool needs_extended(const FieldTable& fields, bool waves, Task& task) {
   std::vector<ColumnPtr> left_old, left_new;
-  standard_columns(fields, format_in_family(fields, false), left_old, task);
-  standard_columns(fields, format_in_family(fields, true), left_new, task);
+  standard_columns(fields, format_in_family(fields, false, waves), left_old, task);
+  standard_columns(fields, format_in_family(fields, true, waves), left_new, task);
   for (const ColumnPtr& column : left_old) {
     bool placed = true;
     for (const ColumnPtr& other : left_new) placed = placed && other != column;
@@ -72,14 +82,16 @@ bool needs_extended(const FieldTable& fields, Task& task) {
 }
 
 void choose_version(Plan& plan, const Cloud& cloud, const Origin& origin, LasVersion wanted,
-                    Task& task) {
+                    WavePackets packets, Task& task) {
+  const bool waves = packets == WavePackets::kInRecord && wanted != LasVersion::k12 &&
+                     has_wave_packets(cloud.fields);
   bool extended = wanted == LasVersion::k14;
   if (wanted == LasVersion::kAuto)
     extended = is_extended_header(origin.header) || cloud.size() > kMaxLegacyCount ||
                (is_wkt(cloud.crs) && !says_crs_of(origin, cloud)) || !origin.evlrs.empty() ||
-               needs_extended(cloud.fields, task);
-  plan.version_minor = extended ? 4 : 2;
-  plan.format = format_in_family(cloud.fields, extended);
+               needs_extended(cloud.fields, waves, task);
+  plan.version_minor = extended ? 4 : waves ? 3 : 2;
+  plan.format = format_in_family(cloud.fields, extended, waves);
   if (!extended && cloud.size() > kMaxLegacyCount)
     fail(Status::kLimit, "LAS 1.2 holds at most 2^32 - 1 points");
 }
@@ -193,11 +205,11 @@ void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, doubl
 }  // namespace
 
 Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
-               Task& task) {
+               Task& task, WavePackets packets) {
   Plan plan;
   Origin origin = origin_of(cloud);
   const bool same_crs = says_crs_of(origin, cloud);
-  choose_version(plan, cloud, origin, settings.las_version, task);
+  choose_version(plan, cloud, origin, settings.las_version, packets, task);
   choose_records(plan, cloud, origin, task);
 
   std::vector<ColumnPtr> left;

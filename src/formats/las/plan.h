@@ -45,8 +45,11 @@ struct Plan {
   Vec3 scale, offset;                 ///< in that unit
 };
 
+/// Where the fields of wave packets go: LAS 1.2 and COPC know no point format that holds them.
+enum class WavePackets { kInRecord, kBehindRecord };
+
 Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
-               Task& task);
+               Task& task, WavePackets packets = WavePackets::kInRecord);
 
 // The parts of it.
 /// Fields that the format's dimensions can hold exactly, angles to a float32; the others stand in

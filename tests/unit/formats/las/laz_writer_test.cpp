@@ -9,6 +9,7 @@
 
 #include "formats/codecs/codecs.h"
 #include "formats/files/endian.h"
+#include "formats/las/fields.h"
 #include "formats/las/las.h"
 #include "unit/formats/opened_file.h"
 
@@ -23,7 +24,8 @@ bool skipped() {
   return true;
 }
 
-/// Fields that make the plan choose a point format: bit 0 GPS time, 1 colours, 2 the new family, 3 NIR.
+/// Fields that make the plan choose a point format: bit 0 GPS time, 1 colours, 2 the new family, 3 NIR,
+/// 4 wave packets.
 Cloud cloud_of(unsigned wants, size_t n, uint64_t seed) {
   Cloud cloud = random_points(n, seed);
   RandomStream random(seed, 2);
@@ -39,6 +41,15 @@ Cloud cloud_of(unsigned wants, size_t n, uint64_t seed) {
     for (const char* name : {"red", "green", "blue"}) add(name, ElementType::kUint16);
   if ((wants & 4) != 0) add("classification", ElementType::kUint8);
   if ((wants & 8) != 0) add("nir", ElementType::kUint16);
+  if ((wants & 16) != 0)
+    for (const las::Dimension& dimension : las::dimensions(4))
+      for (const char* wave : las::kWaveNames)
+        if (dimension.field.name == wave) add(wave, dimension.field.type);
+  if ((wants & 20) == 20) {  // of several heads, which LAZ predicts each by its own
+    std::vector<uint8_t> heads(n);
+    for (uint8_t& head : heads) head = static_cast<uint8_t>(random.below(4));
+    cloud.fields.set(make_column<uint8_t>({"scanner_channel"}, heads));
+  }
   return cloud;
 }
 
@@ -58,7 +69,8 @@ TEST_CASE("laz_writer__holds_every_bit_of_the_las_file_in_every_point_format") {
   constexpr size_t kPoints = 50001;  // a chunk and one point
   static constexpr struct {
     unsigned wants, format;
-  } kCases[] = {{0, 0}, {1, 1}, {2, 2}, {3, 3}, {4, 6}, {6, 7}, {14, 8}};
+  } kCases[] = {{0, 0},  {1, 1},  {2, 2},  {3, 3},  {4, 6},  {6, 7},
+                {14, 8}, {17, 4}, {19, 5}, {21, 9}, {31, 10}};
   for (const auto& [wants, expected] : kCases) {
     const unsigned format = expected;
     CAPTURE(format);

@@ -130,6 +130,77 @@ TEST_CASE("las_writer__what_identifies_the_old_file_stays_and_records_lie_where_
   CHECK(get_at<uint16_t>(file_of(cloud), 6) == (1 | 16));  // the CRS is WKT
 }
 
+namespace {
+
+void add_wave_packets(Cloud& cloud) {
+  set_field<uint8_t>(cloud, "wavepacket_index", {7});
+  set_field<uint64_t>(cloud, "wavepacket_offset", {60});
+  set_field<uint32_t>(cloud, "wavepacket_size", {256});
+  for (const char* name : {"return_point_wave_location", "x_t", "y_t", "z_t"})
+    set_field<float>(cloud, name, {-0.25F});
+}
+
+}  // namespace
+
+TEST_CASE("las_writer__wave_packets_make_the_point_formats_that_hold_them") {
+  static constexpr struct {
+    LasVersion version;
+    bool green;
+    int minor, format, wave;
+  } kCases[] = {{LasVersion::kAuto, false, 3, 4, 28},
+                {LasVersion::kAuto, true, 3, 5, 34},
+                {LasVersion::k14, false, 4, 9, 30},
+                {LasVersion::k14, true, 4, 10, 38}};
+  for (const auto& [version, green, minor, format, wave] : kCases) {
+    Cloud cloud = line_of_points(1);
+    add_wave_packets(cloud);
+    if (green) set_field<uint16_t>(cloud, "green", {5});
+    const std::string bytes = file_of(cloud, version);
+    const size_t at = get_at<uint32_t>(bytes, 96) + static_cast<size_t>(wave);
+    CHECK(bytes[25] == minor);
+    CHECK(bytes[104] == format);
+    CHECK(get_at<uint16_t>(bytes, 94) == (minor == 3 ? 235 : 375));
+    CHECK(get_at<uint16_t>(bytes, 105) == wave + 29);
+    CHECK(get_at<uint8_t>(bytes, at) == 7);
+    CHECK(get_at<uint64_t>(bytes, at + 1) == 60);
+    CHECK(get_at<uint32_t>(bytes, at + 9) == 256);
+    CHECK(get_at<float>(bytes, at + 25) == -0.25F);
+  }
+  Cloud cloud = line_of_points(1);
+  add_wave_packets(cloud);
+  CHECK(file_of(cloud, LasVersion::k12)[104] == 0);  // extra bytes
+  cloud = line_of_points(1);
+  set_field<uint8_t>(cloud, "wavepacket_index", {7});
+  CHECK(file_of(cloud)[104] == 0);  // a field of that name alone is no wave packet
+}
+
+TEST_CASE("las_writer__samples_of_waves_stay_where_the_header_says") {
+  LasBytes made;
+  made.minor = 4;
+  made.format = 9;
+  made.record_bytes = 59;
+  made.evlrs = {extended_record("maker", 6, "before them"),
+                extended_record("LASF_Spec", 65535, "the samples")};
+  made.add_point(1, 2, 3);
+  std::string before = made.bytes();
+  const Folder folder;
+  put_at(before, 6, uint16_t{2});
+  spill(folder.file("inside.las"), before);
+  const std::string inside = file_of(read(folder.file("inside.las")));
+  CHECK(inside[104] == 9);
+  CHECK(get_at<uint16_t>(inside, 6) == 2);
+  CHECK(get_at<uint64_t>(inside, 227) == get_at<uint64_t>(inside, 235) + 60 + 11);
+  CHECK(inside.substr(get_at<uint64_t>(inside, 227) + 60) == "the samples");
+
+  made.evlrs.clear();
+  before = made.bytes();
+  put_at(before, 6, uint16_t{4});
+  spill(folder.file("beside.las"), before);
+  const std::string beside = file_of(read(folder.file("beside.las")));
+  CHECK(get_at<uint16_t>(beside, 6) == 4);
+  CHECK(get_at<uint64_t>(beside, 227) == 0);
+}
+
 TEST_CASE("las_writer__batches_join_without_a_seam_and_a_file_without_points_is_whole") {
   constexpr size_t kPoints = 16500, kWide = 250;  // records above 512 bytes: 16384 a batch of 8 MiB
   Cloud cloud = line_of_points(kPoints);
