@@ -14,8 +14,8 @@
  *
  * Clouds: LAS 1.0-1.4 (point formats 0-10; written as 1.2, with wave packets as 1.3, or as 1.4; VLRs, EVLRs and CRS
  * carried verbatim, so also the samples of wave packets inside the file, while a ".wdp" beside it is the caller's to
- * copy under the new name; other fields as extra bytes, with "_exact" behind the name where a standard dimension of that name cannot hold the values; angles
- * between the steps of a standard dimension are rounded there too), PLY (ASCII, both endians, all scalar properties),
+ * copy under the new name; other fields as extra bytes, with "_exact" behind the name where a standard dimension of
+ * that name cannot hold the values; angles between the steps of a standard dimension are rounded there too), PLY (ASCII, both endians, all scalar properties),
  * XYZ/TXT/CSV text, and
  *
  * - LAZ (laz), read and written: as LAS; its chunks are decoded and encoded on all threads.

@@ -186,7 +186,7 @@ void add_adjust(Command& app) {
           "--truth", state->truth,
           "The drive as it was, e.g. of a virtual scan: text with named columns; for the report")
       .type_name("FILE");
-  state->cloud.add_unit_to(command);
+  state->cloud.add_points_to(command);
   state->settings.add_to(command);
   state->strip_settings.add_to(command, "strips-");
   state->trajectory_settings.add_to(command, "trajectory-");

@@ -88,6 +88,9 @@ struct Clearance {
     console.step("reading");
     Scene scene;
     for (const std::string& path : inputs) read(console, path, scene);
+    if (!scene.cloud && cloud.is_told())
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "unit, columns, box and spacing are of a scan, and none is among the inputs"};
     Json result{{"inputs", inputs}};
     const char* parameters = nullptr;
     must(jalon_params_to_json(options.get(), &parameters));
@@ -222,7 +225,7 @@ void add_clearance(Command& app) {
       .type_name("FILE");
   command.option("--part", state->part, "Row of the model's part; else all of it").non_negative();
   command.option("--other-part", state->other_part, "The same of the other model").non_negative();
-  state->cloud.add_unit_to(command);
+  state->cloud.add_points_to(command);
   command.option("-o,--output", state->output, "Also write tables, drawing and JSON here")
       .type_name("DIR");
   state->settings.add_to(command);

@@ -29,6 +29,7 @@ struct Compare {
   Settings settings, change_settings, sample_settings;
   Input reference, compared, core;
   std::string method = "distance", registration, m3c2_file, output;
+  std::string box;  ///< of all scans
   Extras extras;
   FieldSteps steps;
   double threshold_m = 0;  ///< 0 = the operation's default
@@ -42,6 +43,17 @@ struct Compare {
     jalon_box box{};
   };
 
+  void use_box() {
+    if (box.empty()) return;
+    bool is_used = false;
+    for (Input* input : {&reference, &compared, &core, &extras.third()}) {
+      if (input->path.empty() || is_model_file(input->path)) continue;
+      if (input->box.empty()) input->box = box;
+      is_used = true;
+    }
+    if (!is_used) throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--box is of scans, not of models"};
+  }
+
   Epoch read(Console& console, const Input& input, bool with_points) const {
     Epoch out;
     if (!is_model_file(input.path)) {
@@ -50,9 +62,10 @@ struct Compare {
       out.box = box_of(out.cloud);
       return out;
     }
-    if (!input.unit.empty() || !input.station.empty() || !input.columns.empty())
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
-                    input.path + " is a model: unit, columns and station are of a scan"};
+    if (input.is_told())
+      throw Failure{
+          JALON_ERROR_INVALID_ARGUMENT,
+          input.path + " is a model: unit, columns, station, box and spacing are of a scan"};
     must_read(jalon_model_read(input.path.c_str(), nullptr, console.task(), Out(out.model)));
     out.lengths = Lengths::of(input.path, out.model);
     out.box = box_of(out.model);
@@ -348,21 +361,11 @@ void add_compare(Command& app) {
                "Only the compared side with the reference: regions instead of classes of changes");
   command.flag("--force", state->is_forced,
                "Compare them even where they hardly share a place, which ends the command with 5");
-  for (const bool is_reference : {true, false}) {
-    Input& input = is_reference ? state->reference : state->compared;
-    const std::string prefix = is_reference ? "--reference-" : "--compared-";
-    command
-        .option(prefix + "columns", input.columns,
-                "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
-        .type_name("NAMES");
-    input.add_unit_to(command, prefix + "unit");
-    command.option(prefix + "station", input.station, "Where its scanner stood, for all points")
-        .type_name("X,Y,Z");
-  }
-  command.flag(
-      "--drop-invalid",
-      [state] { state->reference.drop_invalid = state->compared.drop_invalid = true; },
-      "Drop points whose coordinates are not finite");
+  add_reading_of_two(command, state->reference, "reference-", state->compared, "compared-");
+  command
+      .option("--box", state->box,
+              "Read the points of this box alone of all scans that no box of their own is told for")
+      .type_name("X,Y,Z,X,Y,Z");
   state->settings.add_to(command);
   state->change_settings.add_to(command, "change-");
   state->sample_settings.add_to(command, "sample-");
@@ -394,7 +397,10 @@ void add_compare(Command& app) {
            "law=gauss\" "
            "--then chi_square";
   });
-  command.on_run([state] { state->run(); });
+  command.on_run([state] {
+    state->use_box();
+    state->run();
+  });
 }
 
 }  // namespace jalon::cli

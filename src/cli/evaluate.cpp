@@ -110,7 +110,11 @@ struct Evaluate {
     const Cloud found = automatic.input.read(console);
     Cloud other;
     if (!one_file()) {
+      // The points of both must be the same, and so is what is read of them.
       reference.input.unit = automatic.input.unit;
+      reference.input.box = automatic.input.box;
+      reference.input.spacing_m = automatic.input.spacing_m;
+      reference.input.drop_invalid = automatic.input.drop_invalid;
       if (reference.input.columns.empty()) reference.input.columns = automatic.input.columns;
       other = reference.input.read(console);
       require_same_count(found, other);
@@ -167,12 +171,8 @@ void add_options(Command& command, Evaluate& state) {
               "Leave points of this reference class out (repeatable)")
       .one_each_time();
   command.flag("--classes-only", state.only_classes, "No segments, only classes");
-  command
-      .option("--columns", a.input.columns,
-              "Columns of a text file, e.g. \"x y z intensity class instance\"")
-      .type_name("NAMES");
-  a.input.add_unit_to(command, "--unit");
-  command.option("--reference-columns", r.input.columns, "The same of REFERENCE; AUTO's by default")
+  a.input.add_points_to(command);
+  command.option("--reference-columns", r.input.columns, "Columns of REFERENCE; AUTO's by default")
       .type_name("NAMES");
   command.option("--csv", state.csv, "Also write the table of pairs as CSV").type_name("FILE");
 }

@@ -178,27 +178,54 @@ void Input::add_to(Command& command, bool required) {
   add_reading_to(command);
 }
 
-void Input::add_reading_to(Command& command) {
-  command
-      .option("--columns", columns, "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
-      .type_name("NAMES");
-  add_unit_to(command);
+namespace {
+
+void add_drop_invalid(Command& command, std::function<void()> on_given) {
+  command.flag("--drop-invalid", std::move(on_given),
+               "Drop points whose coordinates are not finite");
+}
+
+}  // namespace
+
+void Input::add_reading_to(Command& command, const std::string& prefix) {
+  add_points_to(command, prefix);
   command
       .option(
-          "--station", station,
+          "--" + prefix + "station", station,
           "Where the scanner stood, for all points: tells the front of surfaces and what was seen")
       .type_name("X,Y,Z");
-  command.flag("--drop-invalid", drop_invalid, "Drop points whose coordinates are not finite");
+}
+
+void Input::add_points_to(Command& command, const std::string& prefix) {
+  command
+      .option("--" + prefix + "columns", columns,
+              "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
+      .type_name("NAMES");
+  add_unit_to(command, "--" + prefix + "unit");
+  if (prefix.empty()) add_drop_invalid(command, [this] { drop_invalid = true; });
   command
       .option(
-          "--box", box,
+          "--" + prefix + "box", box,
           "Read the points of this box alone, its least corner and its greatest, in metres; of a "
           "COPC file only what it touches is read")
       .type_name("X,Y,Z,X,Y,Z");
   command
-      .option("--spacing", spacing_m,
+      .option("--" + prefix + "spacing", spacing_m,
               "Read the levels of a COPC file down to this spacing of their points, in metres")
       .type_name("M");
+}
+
+void add_reading_of_two(Command& command, Input& first, const std::string& first_prefix,
+                        Input& second, const std::string& second_prefix) {
+  first.add_reading_to(command, first_prefix);
+  second.add_reading_to(command, second_prefix);
+  add_drop_invalid(command, [both = std::array{&first, &second}] {
+    for (Input* input : both) input->drop_invalid = true;
+  });
+}
+
+bool Input::is_told() const {
+  return !unit.empty() || !station.empty() || !columns.empty() || !box.empty() || spacing_m != 0;
 }
 
 void Input::add_unit_to(Command& command, const std::string& option) {

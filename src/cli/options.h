@@ -63,14 +63,22 @@ struct Input {
   double spacing_m = 0;  ///< of the levels of a COPC file that are wanted; 0: all
 
   void add_to(Command& command, bool required = true);
-  /// All but the scan itself.
-  void add_reading_to(Command& command);
+  /// All but the scan itself; a prefix, "reference-", for a command with two scans.
+  void add_reading_to(Command& command, const std::string& prefix = "");
+  /// The same without the scanner's place, where it moved or does not matter.
+  void add_points_to(Command& command, const std::string& prefix = "");
   /// Only the option that names the unit, e.g. "--reference-unit" for a command with two scans.
   void add_unit_to(Command& command, const std::string& option = "--unit");
+  /// Is anything of this told that a model does not have?
+  bool is_told() const;
   /// The parameters of "read", or of "convert", that say so.
   Params reading(const char* operation) const;
   Cloud read(Console& console) const;
 };
+
+/// The reading of two scans: what is of one stands behind its prefix.
+void add_reading_of_two(Command& command, Input& first, const std::string& first_prefix,
+                        Input& second, const std::string& second_prefix);
 
 uint64_t count_of(const Cloud& cloud);
 /// "X,Y,Z" in metres as the pose of an upright scanner.

@@ -268,18 +268,7 @@ void add_register(Command& app) {
               "line each: name x y z [sigma | sx sy sz] in metres, - for no name")
       .expected(2, 2)
       .type_name("FILE FILE");
-  for (const bool is_reference : {true, false}) {
-    Input& input = is_reference ? state->reference : state->moving;
-    command
-        .option(std::string(is_reference ? "--reference-" : "--moving-") + "columns", input.columns,
-                "Columns of a text file, e.g. \"x y z intensity\"; - skips one")
-        .type_name("NAMES");
-    input.add_unit_to(command, is_reference ? "--reference-unit" : "--moving-unit");
-  }
-  command.flag(
-      "--drop-invalid",
-      [state] { state->reference.drop_invalid = state->moving.drop_invalid = true; },
-      "Drop points whose coordinates are not finite");
+  add_reading_of_two(command, state->reference, "reference-", state->moving, "moving-");
   command.flag(
       "--force", [state] { state->is_forced = true; },
       "Write pose.txt and the registered cloud also of a pose that is not accepted");

@@ -30,6 +30,17 @@ t = d["third_epoch"]
 assert t["hidden"] == d["summary"]["hidden"] >= t["probably_unchanged"] + t["changed_meanwhile"] > 0, t
 assert len(open("all/volumes.csv").readlines()) > v["cells"]'
 
+# A box of both scans, and one of their own.
+judge "compare reads a box of all scans" "$jalon" compare day1.las day3.las -o boxed --box=-100,-100,-10,30,100,50 --json --quiet
+judge "compare reads a box of one scan" "$jalon" compare day1.las day3.las -o half --compared-box=-100,-100,-10,30,100,50 --json --quiet
+judge "only the points of the box are compared" python3 -c '
+import json
+read = lambda name: json.load(open(name + "/comparison.json"))
+points = lambda name: (read(name)["summary"]["points"], read(name)["reverse_summary"]["points"])
+boxed, half, whole = points("boxed"), points("half"), points("all")
+assert boxed[0] == half[0] < whole[0], (boxed, half, whole)
+assert boxed[1] < half[1] == whole[1], (boxed, half, whole)'
+
 # What is done with distances, one after the other; --then says as --params and the result do.
 judge "compare runs what is done with distances one after the other" "$jalon" compare day1.las day3.las -o then --one-way --json --quiet \
   --set detection=false --set max_distance_m=5 \

@@ -89,6 +89,11 @@ ends 2 '--noise-label needs --labels' model wall.xyz -o new --noise-label 1
 ends 2 '--ignore-class needs' evaluate-segmentation seg/segments.las seg/segments.las --ignore-class 3
 ends 2 'without a gauge' clearance wall.xyz --gauge box.json --trajectory track.txt --part 0
 ends 2 'is a model' compare wall.obj wall.xyz -o new --reference-unit mm
+ends 2 'is a model' compare wall.obj wall.xyz -o new --reference-box 0,0,0,5,5,5
+ends 2 'box is of scans' compare wall.obj wall.obj -o new --box 0,0,0,5,5,5
+ends 2 'a box needs X,Y,Z' register wall.xyz wall.xyz -o new --moving-box 0,0,0
+ends 6 'COPC' register wall.xyz wall.xyz -o new --reference-spacing 1
+ends 2 'none is among the inputs' clearance wall.obj wall.obj --box 0,0,0,5,5,5
 
 # Parameters.
 ends 2 '--set needs NAME=VALUE, not "k"' segment wall.xyz -o new --set k

@@ -38,6 +38,8 @@ class Extras {
   void say(const Console& console, const nlohmann::ordered_json& result,
            const Lengths& lengths) const;
 
+  Input& third() { return third_; }
+
  private:
   bool with_volumes_ = false, with_closest_ = false, with_depth_maps_ = false;
   Settings volume_settings_, depth_settings_;
