@@ -37,6 +37,8 @@ std::vector<File> png_files();
 std::vector<File> copc_files();
 /// Damaged files of others, from the folder of shared data; none where that is absent.
 std::vector<File> laz_files();
+/// Our own, of point format 4 ("auto") or 9 ("1.4"); "" where LAZ was not built.
+std::string laz_with_waves(const char* las_version);
 std::vector<File> e57_files();
 
 }  // namespace malformed

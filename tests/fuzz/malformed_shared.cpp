@@ -33,21 +33,26 @@ void add_limits(std::vector<File>& out, const std::string& seed, size_t at, cons
   }
 }
 
-}  // namespace
-
-std::vector<File> laz_files() {
-  std::vector<File> out;
-  const std::string seed = shared_bytes("las/simple.laz");
-  if (seed.empty()) return out;
+void add_laz(std::vector<File>& out, const std::string& seed) {
+  if (seed.empty()) return;
   const size_t points = number_at<uint32_t>(seed, 96), table = number_at<uint32_t>(seed, points);
   for (size_t end = 0; end < seed.size(); end += end < points + 64 ? 5 : 151)
     out.push_back({"cut.laz", seed.substr(0, end)});
   // Counts of the header, the record of the compressor, the first chunk, the chunk table.
   for (const size_t at : {size_t{96}, size_t{100}, size_t{104}, size_t{105}, size_t{107}})
     add_limits(out, seed, at, "header.laz");
-  for (size_t at = 227; at < points + 96; at += 3) add_limits(out, seed, at, "record.laz");
+  for (size_t at = number_at<uint16_t>(seed, 94); at < points + 96; at += 3)
+    add_limits(out, seed, at, "record.laz");
   for (size_t at = table; at + 4 <= seed.size(); ++at) add_limits(out, seed, at, "table.laz");
   for (size_t at = points + 96; at < table; at += 97) add_limits(out, seed, at, "points.laz");
+}
+
+}  // namespace
+
+std::vector<File> laz_files() {
+  std::vector<File> out;
+  add_laz(out, shared_bytes("las/simple.laz"));
+  for (const char* version : {"auto", "1.4"}) add_laz(out, laz_with_waves(version));
   return out;
 }
 
