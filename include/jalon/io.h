@@ -15,7 +15,8 @@
  * Clouds: LAS 1.0-1.4 (point formats 0-10; written as 1.2, with wave packets as 1.3, or as 1.4; VLRs, EVLRs and CRS
  * carried verbatim, so also the samples of wave packets inside the file, while a ".wdp" beside it is the caller's to
  * copy under the new name; other fields as extra bytes, with "_exact" behind the name where a standard dimension of
- * that name cannot hold the values; angles between the steps of a standard dimension are rounded there too), PLY (ASCII, both endians, all scalar properties),
+ * that name cannot hold the values; angles between the steps of a standard dimension are rounded there too), PLY
+ * (ASCII, both endians, all scalar properties),
  * XYZ/TXT/CSV text, and
  *
  * - LAZ (laz), read and written: as LAS; its chunks are decoded and encoded on all threads.
@@ -25,8 +26,9 @@
  *   "spacing_m" (the spacing that the file tells, halved each level). The points are those of the whole file in that
  *   box and those levels, in its order. Written: the cube stands on the lowest corner of the points; each node keeps
  *   the point nearest to the centre of each cell of its grid of 128^3, a node of at most 10 000 points all of them, and
- *   the levels follow one another. A CRS is kept as in LAS; other programs want it as WKT. The same bytes for any
- *   number of threads.
+ *   the levels follow one another. A CRS is kept as in LAS; other programs want it as WKT, which UTM on WGS 84 and
+ *   on ETRS89, Lambert-93 and CC42 to CC50 get from their EPSG code; of other codes a warning says that they have
+ *   none. The same bytes for any number of threads.
  * - E57 (e57), read and written: a station for each scan, points moved by its pose, those marked invalid left out.
  *   Fields row and column (uint32), intensity (float32), red, green, blue (uint8, or uint16 where a scan has more than
  *   255), return_number (from 1), number_of_returns, time (s), normal, and those of extensions in the smallest type

@@ -2,8 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """COPC files of Jalon read by laspy and copclib, and those of copclib read by Jalon: whole, by box and by level."""
 
+import laspy
 import numpy
 from laspy.copc import Bounds, CopcReader
+from laspy.vlrs.known import WktCoordinateSystemVlr
 
 POINTS = 40000
 WKT = 'PROJCS["RGF93 / Lambert-93",GEOGCS["RGF93",UNIT["degree",0.0174532925199433]],UNIT["metre",1]]'
@@ -120,8 +122,29 @@ def seen_by_jalon(jalon, path, xyz, classes, random):
             yield "other points in %s %s" % (low, high)
 
 
+def texts_of_codes(jalon, folder, pyproj):
+    """The WKT that a COPC file has for the code of its CRS, against the dataset of PROJ."""
+    codes = [*range(32601, 32661), *range(32701, 32761), *range(25828, 25838), 2154, *range(3942, 3951)]
+    for code in codes:
+        path = folder / "code.copc.laz"
+        jalon.write(path, numpy.array([[700000.0, 6600000.0, 1.0]]), {}, "1.4", crs="EPSG:%d" % code)
+        with laspy.open(path) as file:
+            texts = [vlr.string for vlr in file.header.vlrs if isinstance(vlr, WktCoordinateSystemVlr)]
+        wanted = pyproj.CRS.from_epsg(code)
+        if len(texts) != 1 or pyproj.CRS.from_wkt(texts[0]) != pyproj.CRS.from_wkt(wanted.to_wkt("WKT1_GDAL")):
+            yield "EPSG:%d is %s" % (code, texts)
+
+
 def check(jalon, folder, tally):
     """How many checks were skipped."""
+    skipped = 0
+    try:
+        import pyproj
+        tally.case("PROJ takes the WKT of the 140 codes of EPSG that Jalon knows for the same systems",
+                   list(texts_of_codes(jalon, folder, pyproj)))
+    except ImportError:
+        print("skipped: pyproj cannot be installed")
+        skipped = 1
     random = numpy.random.default_rng(2026)
     xyz, fields = wall(random)
     path = folder / "jalon.copc.laz"
@@ -132,9 +155,9 @@ def check(jalon, folder, tally):
         import copclib
     except ImportError:
         print("skipped: copclib cannot be installed")
-        return 1
+        return skipped + 1
     tally.case("Jalon's COPC read by copclib, which finds all points in their nodes", list(seen_by_copclib(copclib, path)))
     path = folder / "copclib.copc.laz"
     written = write_by_copclib(copclib, path, random)
     tally.case("COPC of copclib read by Jalon: whole, coarsest, in 20 boxes", list(seen_by_jalon(jalon, path, *written, random)))
-    return 0
+    return skipped

@@ -78,7 +78,7 @@ class Jalon:
         self.lib.jalon_cloud_release(cloud)
         return xyz, out, text
 
-    def write(self, path, xyz, fields, version, pose=None):
+    def write(self, path, xyz, fields, version, pose=None, crs=None):
         """pose: of the one station, (3, 4), or None for no station."""
         cloud, options = ctypes.c_void_p(), ctypes.c_void_p()
         xyz = numpy.ascontiguousarray(xyz, "f8")
@@ -92,6 +92,8 @@ class Jalon:
                       ctypes.c_uint64(0), None, None)
         if pose is not None:
             self.call("jalon_cloud_set_station", cloud, b"S", (ctypes.c_double * 12)(*numpy.ravel(pose)))
+        if crs is not None:
+            self.call("jalon_cloud_set_crs", cloud, crs.encode())
         self.call("jalon_params_create", b"write", ctypes.byref(options))
         self.call("jalon_params_set_string", options, b"las_version", version.encode())
         self.call("jalon_cloud_write", cloud, str(path).encode(), options, None)

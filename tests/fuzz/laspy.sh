@@ -28,7 +28,7 @@ if ! has_laspy; then
     exit 77
   fi
 fi
-for package in copclib plyfile pypcd4; do # some have no wheel for some machines
+for package in copclib plyfile pypcd4 pyproj; do # some have no wheel for some machines
   "$venv/bin/python" -c "import $package" 2>/dev/null ||
     "$venv/bin/pip" install --disable-pip-version-check --retries 0 "$package" >"$build/${package}_setup.log" 2>&1 || true
 done

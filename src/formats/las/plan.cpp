@@ -11,6 +11,7 @@
 #include "formats/files/endian.h"
 #include "formats/las/copc.h"
 #include "formats/las/stations.h"
+#include "formats/units/epsg_wkt.h"
 
 namespace jalon::las {
 
@@ -82,9 +83,9 @@ bool needs_extended(const FieldTable& fields, bool waves, Task& task) {
 }
 
 void choose_version(Plan& plan, const Cloud& cloud, const Origin& origin, LasVersion wanted,
-                    WavePackets packets, Task& task) {
-  const bool waves = packets == WavePackets::kInRecord && wanted != LasVersion::k12 &&
-                     has_wave_packets(cloud.fields);
+                    Profile profile, Task& task) {
+  const bool waves =
+      profile == Profile::kPlain && wanted != LasVersion::k12 && has_wave_packets(cloud.fields);
   bool extended = wanted == LasVersion::k14;
   if (wanted == LasVersion::kAuto)
     extended = is_extended_header(origin.header) || cloud.size() > kMaxLegacyCount ||
@@ -119,6 +120,21 @@ void choose_records(Plan& plan, const Cloud& cloud, const Origin& origin, Task& 
         fail(Status::kLimit, "the CRS text is too long for LAS 1.2");
       (small ? plan.vlrs : plan.evlrs).push_back(std::move(record));
     }
+}
+
+// Beside the keys of GeoTIFF, which readers of COPC need not know. Units that only the keys tell are none of the text.
+void add_wkt(Plan& plan, const Cloud& cloud, const std::string& path, Task& task) {
+  const std::string crs = cloud.crs.str();
+  if (crs.empty() || is_wkt(crs)) return;
+  std::string wkt;
+  if (units_of(plan.vlrs, plan.evlrs, path).metres()) wkt = wkt_of_epsg(epsg_code(crs));
+  if (!wkt.empty())
+    for (Record& record : crs_records(wkt)) plan.vlrs.push_back(std::move(record));
+  else
+    task.log(Task::kWarning,
+             "%s: COPC names its CRS by WKT, which is not known of %.60s: it is in the file as LAS "
+             "1.2 has it, where other programs may not look",
+             path.c_str(), crs.c_str());
 }
 
 // One extra bytes VLR, at the place of the old one; the very old one when nothing changed.
@@ -205,12 +221,13 @@ void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, doubl
 }  // namespace
 
 Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
-               Task& task, WavePackets packets) {
+               Task& task, Profile profile) {
   Plan plan;
   Origin origin = origin_of(cloud);
   const bool same_crs = says_crs_of(origin, cloud);
-  choose_version(plan, cloud, origin, settings.las_version, packets, task);
+  choose_version(plan, cloud, origin, settings.las_version, profile, task);
   choose_records(plan, cloud, origin, task);
+  if (profile == Profile::kCopc) add_wkt(plan, cloud, path, task);
 
   std::vector<ColumnPtr> left;
   plan.standard = standard_columns(cloud.fields, plan.format, left, task);

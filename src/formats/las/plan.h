@@ -45,11 +45,11 @@ struct Plan {
   Vec3 scale, offset;                 ///< in that unit
 };
 
-/// Where the fields of wave packets go: LAS 1.2 and COPC know no point format that holds them.
-enum class WavePackets { kInRecord, kBehindRecord };
+/// What a file is beyond LAS. COPC has no point format with wave packets, and names its CRS by WKT.
+enum class Profile { kPlain, kCopc };
 
 Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
-               Task& task, WavePackets packets = WavePackets::kInRecord);
+               Task& task, Profile profile = Profile::kPlain);
 
 // The parts of it.
 /// Fields that the format's dimensions can hold exactly, angles to a float32; the others stand in

@@ -55,9 +55,8 @@ Plan plan_of(const Cloud& cloud, const std::string& path, WriteSettings settings
       fail(Status::kInvalidArgument, "%s: COPC files are of LAS 1.4", path.c_str());
     settings.las_version = LasVersion::k14;
   }
-  return make_plan(
-      cloud, path, settings, task,
-      packing == Packing::kOctree ? WavePackets::kBehindRecord : WavePackets::kInRecord);
+  return make_plan(cloud, path, settings, task,
+                   packing == Packing::kOctree ? Profile::kCopc : Profile::kPlain);
 }
 
 Written write_packed(Plan& plan, const LazWriter& laz, const CopcWriter* copc, const Cloud& cloud,

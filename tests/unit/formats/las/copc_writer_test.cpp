@@ -9,6 +9,8 @@
 #include <cstring>
 
 #include "cloud/operations.h"
+#include "formats/units/epsg_wkt.h"
+#include "formats/units/length_units.h"
 #include "unit/formats/kept_log.h"
 #include "unit/formats/las/copc_files.h"
 
@@ -93,6 +95,36 @@ TEST_CASE("copc_writer__the_same_bytes_for_any_number_of_threads") {
   const std::string one = copc_bytes(cloud, 1);
   CHECK(one == copc_bytes(cloud, 2));
   CHECK(one == copc_bytes(cloud, 3));
+}
+
+TEST_CASE("copc_writer__a_code_of_epsg_becomes_wkt_or_one_line_that_says_why_not") {
+  if (lacks_codecs()) return;
+  static constexpr struct {
+    const char* crs;
+    bool is_known;
+  } kCases[] = {
+      {"EPSG:2154", true}, {"EPSG:32631", true}, {"EPSG:27700", false}, {"our grid", false}};
+  for (const auto& row : kCases) {
+    const char* crs = row.crs;
+    const bool is_known = row.is_known;
+    CAPTURE(crs);
+    Cloud cloud = wall_and_ground(1000, 11);
+    cloud.crs = crs;
+    const Folder folder;
+    KeptLog log;
+    write_cloud(cloud, folder.file("a.copc.laz"), {}, log.task());
+    CHECK(log.warnings().size() == (is_known ? 0 : 1));
+    const Cloud back = read(folder.file("a.copc.laz"));
+    CHECK(std::string(back.crs) == (is_known ? wkt_of_epsg(epsg_code(crs)) : crs));
+    write(back, folder.file("b.copc.laz"));  // the records stay as they are
+    CHECK(std::string(read(folder.file("b.copc.laz")).crs) == std::string(back.crs));
+    // Of a LAS file, whose keys stay beside the text.
+    write(cloud, folder.file("a.las"));
+    const Cloud old = read(folder.file("a.las"));
+    CHECK(std::string(old.crs) == crs);
+    write(old, folder.file("c.copc.laz"));
+    CHECK(std::string(read(folder.file("c.copc.laz")).crs) == std::string(back.crs));
+  }
 }
 
 TEST_CASE("copc_writer__a_box_read_is_the_whole_cropped") {
