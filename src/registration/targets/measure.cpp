@@ -8,13 +8,12 @@
 #include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "registration/targets/flat_target.h"
+#include "registration/targets/recognition.h"
 #include "registration/targets/sphere_target.h"
 
 namespace jalon {
 
-namespace {
-
-FieldTable table_of(const std::vector<MeasuredTarget>& rows, std::span<const Vec3> places) {
+FieldTable measured_table(const std::vector<MeasuredTarget>& rows, std::span<const Vec3> places) {
   FieldTable table;
   using Row = const MeasuredTarget&;
   const auto found = [](Row r) { return r.status == Status::kOk; };
@@ -45,6 +44,8 @@ FieldTable table_of(const std::vector<MeasuredTarget>& rows, std::span<const Vec
   return table;
 }
 
+namespace {
+
 constexpr auto kTargetRows = setting_rows(
     choice_row<&MeasuringSettings::kind>("kind", "sphere|flat", "",
                                          "Of the targets; flat: a disc, a checker, a plate."),
@@ -67,6 +68,14 @@ constexpr auto kTargetRows = setting_rows(
         "own without a pattern; automatic: by the intensities, else a patch."),
     string_row<&MeasuringSettings::intensity_field>("intensity_field", "",
                                                     "Field of the cloud that shows the pattern."),
+    string_row<&MeasuringSettings::catalogue>(
+        "catalogue", "",
+        "Targets that were put up, as JSON: {\"targets\": [{\"code\": \"1\", \"kind\": "
+        "\"checker\", \"size_m\": 0.15}, ...]}, kind checker or disc, optionally a \"name\" each, and "
+        "\"size_sigma_m\" of all (0.001). With it no place is given: the whole cloud is searched."),
+    number_row<&MeasuringSettings::confidence>(
+        "confidence", 0.5, 0.999, "1", "",
+        "With a catalogue: a target that is less surely one entry of it gets none."),
     integer_row<&MeasuringSettings::min_points>("min_points", 8, 1e9, "points", "",
                                                 "Fewer points make no target."),
     integer_row<&MeasuringSettings::seed>(
@@ -91,6 +100,12 @@ Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3&
 
 FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places,
                            const MeasuringSettings& settings, Task& task) {
+  if (!settings.catalogue.empty()) {
+    if (!places.empty())
+      fail(Status::kInvalidArgument,
+           "a catalogue is searched for in the whole cloud: give no places with it");
+    return recognise_targets(cloud, settings, task);
+  }
   const auto tree = cloud.octree(task);
   std::vector<MeasuredTarget> rows;
   for (size_t i = 0; i < places.size(); ++i) {
@@ -99,7 +114,7 @@ FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places,
                        ? measure_flat(cloud, *tree, places[i], settings, task)
                        : measure_sphere(cloud, *tree, places[i], settings, task));
   }
-  return table_of(rows, places);
+  return measured_table(rows, places);
 }
 
 }  // namespace jalon

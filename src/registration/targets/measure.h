@@ -42,7 +42,9 @@ Surroundings surroundings_of(const Cloud& cloud, const Octree& tree, const Vec3&
 
 /// Parameter table of operation "target".
 std::span<const ParamRow> target_rows();
-/// A row a place: see jalon/targets.h. Places must be finite.
+/// A row a measured target, each relative to its place.
+FieldTable measured_table(const std::vector<MeasuredTarget>& rows, std::span<const Vec3> places);
+/// A row a place, or a target of the catalogue: see jalon/targets.h. Places must be finite.
 FieldTable measure_targets(const Cloud& cloud, std::span<const Vec3> places,
                            const MeasuringSettings& settings, Task& task);
 

@@ -43,6 +43,8 @@ struct MeasuringSettings {
   double tolerance_m = 0.01;  ///< half-thickness
   TargetPattern pattern = TargetPattern::kAutomatic;
   std::string intensity_field = "intensity";
+  std::string catalogue{};  ///< JSON; not empty: the whole cloud is searched
+  double confidence = 0.9;  ///< from which a target of the catalogue is known
   uint64_t min_points = 30;
   uint64_t seed = 1;
 };

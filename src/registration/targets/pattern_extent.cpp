@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/targets/pattern_extent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <vector>
+
+#include "geometry/adjustment.h"
+#include "registration/targets/pattern_covariance.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kPhaseShare = 0.45;   // radius, of the inner edge: what the quadrants surely fill
+// Ground that is looked at, beyond the half-edge or radius: this share of it, or so many spacings. A sheet has little
+// of it around its pattern.
+constexpr double kGroundShare = 0.15, kGroundSpacings = 1.5;
+constexpr double kMostSigned = 1.5;    // a ground brighter than white counts no more than this
+constexpr size_t kLeastExtentPoints = 24;
+constexpr size_t kLeastGroundPoints = 8;
+constexpr double kNearLine = 0.75;      // spacings: closer to a line a point sees both sides
+constexpr double kMadToDeviation = 1.4826;  // median of |x| of the standard normal, inverted
+constexpr double kNoiseCell = 2;        // spacings: cells of some four points
+constexpr size_t kLeastDifferences = 8;
+constexpr int kExtentSteps = 60;
+constexpr double kSmallExtent = 1e-6;  // of what an edge notices
+
+/// Bright and dark quadrants that end at a square in a uniform ground. Points are (distance from the
+/// centre along the farther axis, quadrant +1 or -1, value).
+struct BorderModel {
+  using Point = BrightPoint;
+  static constexpr size_t kUnknowns = 4;
+  double half_m = 0, bright = 1, dark = 0, ground = 0, width_m = 0.001;
+
+  double residual(const BrightPoint& p, Coefficients<4>& j) const {
+    const double t = std::tanh((half_m - p.u) / width_m), inside = (1 + t) / 2;
+    const double level = p.v > 0 ? bright : dark;
+    j = {(level - ground) * tanh_slope(t) / (2 * width_m), p.v > 0 ? inside : 0,
+         p.v > 0 ? 0 : inside, 1 - inside};
+    return ground + (level - ground) * inside - p.value;
+  }
+  void move(const Coefficients<4>& x) {
+    half_m += x[0], bright += x[1], dark += x[2], ground += x[3];
+  }
+  Coefficients<4> units(double) const {
+    const double contrast = std::fabs(bright - dark);
+    return {width_m, contrast, contrast, contrast};
+  }
+};
+
+// How the quadrants lie: bright where cos(2 (angle - turn)) > 0 before the eighth of a turn.
+struct Quadrants {
+  double turn_rad = 0, level = 0, contrast = 0;  ///< value = level +- contrast
+};
+
+// The second harmonic of the brightness around the centre is that of a checker, whatever else there is.
+std::optional<Quadrants> quadrants_of(std::span<const BrightPoint> points, double inner_m) {
+  double n = 0, mean = 0;
+  const auto within = [&](const BrightPoint& p) {
+    return std::hypot(p.u, p.v) < kPhaseShare * inner_m;
+  };
+  for (const BrightPoint& p : points)
+    if (within(p)) ++n, mean += p.value;
+  if (n < kLeastExtentPoints) return std::nullopt;
+  mean /= n;
+  std::complex<double> sum = 0;
+  for (const BrightPoint& p : points)
+    if (within(p)) sum += (p.value - mean) * std::polar(1.0, 2 * std::atan2(p.v, p.u));
+  Quadrants out;
+  // Bright along the diagonal at this angle: the lines lie an eighth of a turn off.
+  out.turn_rad = std::arg(sum) / 2 - std::numbers::pi / 4;
+  double bright = 0, dark = 0, bright_n = 0, dark_n = 0;
+  const double c = std::cos(out.turn_rad), s = std::sin(out.turn_rad);
+  for (const BrightPoint& p : points) {
+    if (!within(p)) continue;
+    const double x = c * p.u + s * p.v, y = c * p.v - s * p.u;
+    if (x * y > 0) bright += p.value, ++bright_n;
+    else dark += p.value, ++dark_n;
+  }
+  if (!(bright_n > 0 && dark_n > 0)) return std::nullopt;
+  bright /= bright_n, dark /= dark_n;
+  out.level = (bright + dark) / 2, out.contrast = (bright - dark) / 2;
+  if (!(out.contrast > 0)) return std::nullopt;
+  return out;
+}
+
+double spacing_of(std::span<const BrightPoint> points, double inner_m) {
+  double n = 0;
+  for (const BrightPoint& p : points) n += std::hypot(p.u, p.v) < kPhaseShare * inner_m;
+  const double radius = kPhaseShare * inner_m;
+  return std::sqrt(std::numbers::pi * radius * radius / std::max(n, 1.0));
+}
+
+// Distance along the farther axis, quadrant and brightness, nearest first; without what lies on the lines.
+std::vector<BrightPoint> folded(std::span<const BrightPoint> points, const Quadrants& q,
+                                double spacing_m) {
+  const double c = std::cos(q.turn_rad), s = std::sin(q.turn_rad);
+  std::vector<BrightPoint> out;
+  for (const BrightPoint& p : points) {
+    const double x = c * p.u + s * p.v, y = c * p.v - s * p.u;
+    if (std::min(std::fabs(x), std::fabs(y)) < kNearLine * spacing_m) continue;
+    out.push_back({std::max(std::fabs(x), std::fabs(y)), x * y > 0 ? 1.0 : -1.0, p.value});
+  }
+  std::stable_sort(out.begin(), out.end(),
+                   [](const BrightPoint& a, const BrightPoint& b) { return a.u < b.u; });
+  return out;
+}
+
+// Where the signed brightness goes from one to nothing: the likeliest change (Page 1955). In any uniform ground bright
+// and dark quadrants cancel each other.
+double border_of(const std::vector<BrightPoint>& list, const Quadrants& q, double most_m) {
+  double sum = 0, best = 0, at = 0;
+  for (const BrightPoint& p : list) {
+    if (p.u > most_m) break;
+    const double w =
+        std::clamp(p.v * (p.value - q.level) / q.contrast, -kMostSigned, kMostSigned);
+    sum += 2 * w - 1;
+    if (sum > best) best = sum, at = p.u;
+  }
+  return at;
+}
+
+double reach_of(double half_m, double spacing_m) {
+  return half_m + std::max(kGroundShare * half_m, kGroundSpacings * spacing_m);
+}
+
+// Of the brightness, from differences of points that share a cell: most cells hold no edge.
+double noise_of(std::span<const BrightPoint> points, double spacing_m) {
+  struct Placed {
+    double row, column, value;
+  };
+  const double cell = kNoiseCell * spacing_m;
+  std::vector<Placed> list;
+  for (const BrightPoint& p : points)
+    list.push_back({std::floor(p.u / cell), std::floor(p.v / cell), p.value});
+  std::stable_sort(list.begin(), list.end(), [](const Placed& a, const Placed& b) {
+    return a.row != b.row ? a.row < b.row : a.column < b.column;
+  });
+  std::vector<double> sizes;
+  for (size_t i = 1; i < list.size(); ++i)
+    if (list[i].row == list[i - 1].row && list[i].column == list[i - 1].column)
+      sizes.push_back(std::fabs(list[i].value - list[i - 1].value));
+  if (sizes.size() < kLeastDifferences) return 0;
+  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+  std::nth_element(sizes.begin(), middle, sizes.end());
+  return kMadToDeviation * *middle / std::numbers::sqrt2;
+}
+
+// What is left of the brightness beyond noise.
+double misfit_of(const std::vector<double>& residuals, double noise, double variance) {
+  double squares = 0;
+  for (const double r : residuals) squares += r * r;
+  const double mean = squares / std::max(1.0, static_cast<double>(residuals.size()));
+  return residuals.empty() || !(variance > 0)
+             ? 1
+             : std::max(0.0, mean - noise * noise) / variance : 1;
+}
+
+double variance_of(std::span<const BrightPoint> points) {
+  const auto n = static_cast<double>(points.size());
+  double mean = 0, sum = 0;
+  for (const BrightPoint& p : points) mean += p.value / n;
+  for (const BrightPoint& p : points) sum += (p.value - mean) * (p.value - mean) / n;
+  return sum;
+}
+
+size_t count_between(const std::vector<BrightPoint>& list, double from, double to) {
+  return static_cast<size_t>(std::count_if(list.begin(), list.end(), [&](const BrightPoint& p) {
+    return p.u > from && p.u <= to;
+  }));
+}
+
+std::vector<BrightPoint> nearer_than(const std::vector<BrightPoint>& list, double most) {
+  std::vector<BrightPoint> out;
+  for (const BrightPoint& p : list)
+    if (p.u <= most) out.push_back(p);
+  return out;
+}
+
+}  // namespace
+
+std::optional<PatternExtent> checker_extent(std::span<const BrightPoint> points, double inner_m,
+                                            double most_m, Task& task) {
+  const auto quadrants = quadrants_of(points, inner_m);
+  if (!quadrants) return std::nullopt;
+  const double spacing = spacing_of(points, inner_m);
+  const auto list = folded(points, *quadrants, spacing);
+  BorderModel model;
+  model.half_m = border_of(list, *quadrants, most_m / 2);
+  if (!(model.half_m > spacing) || model.half_m > most_m / 2 - spacing) return std::nullopt;
+  model.width_m = spacing;
+  model.bright = quadrants->level + quadrants->contrast;
+  model.dark = quadrants->level - quadrants->contrast;
+  model.ground = quadrants->level;
+  const double reach = reach_of(model.half_m, spacing);
+  const bool has_ground = count_between(list, model.half_m, reach) >= kLeastGroundPoints;
+  const auto near = nearer_than(list, reach);
+  if (near.size() < kLeastExtentPoints) return std::nullopt;
+  PatternExtent out;
+  // Where nothing is around it, the last points are within half their spacing of the border.
+  out.sigma_m = spacing / std::sqrt(3.0);
+  if (has_ground) {
+    constexpr adjustment::Weighting kAll{INFINITY, INFINITY};
+    auto small = model.units(0);
+    for (double& s : small) s *= kSmallExtent;
+    const std::span<const BrightPoint> all(near);
+    if (!adjustment::descend(all, kAll, kExtentSteps, small, task, model)) return std::nullopt;
+    const auto covariance = PatternCovariance<BorderModel>::estimate(all, model, model.half_m);
+    if (!covariance || !(model.half_m > 0)) return std::nullopt;
+    out.sigma_m = 2 * std::sqrt((*covariance)[0]);
+  } else {
+    model.half_m += spacing / 2;
+  }
+  out.size_m = 2 * model.half_m;
+  std::vector<double> residuals;
+  Coefficients<4> unused;
+  for (const BrightPoint& p : near)
+    if (std::fabs(p.u - model.half_m) > spacing) residuals.push_back(model.residual(p, unused));
+  const double noise = noise_of(points, spacing);
+  out.misfit = misfit_of(residuals, noise, variance_of(near));
+  out.contrast_to_noise = std::fabs(model.bright - model.dark) / noise;
+  out.points = near.size();
+  return out;
+}
+
+std::optional<PatternExtent> disc_extent(std::span<const BrightPoint> points, double diameter_m,
+                                         double sigma_m) {
+  const double radius = diameter_m / 2;
+  const double width = spacing_of(points, diameter_m), reach = reach_of(radius, width);
+  std::vector<BrightPoint> near;
+  for (const BrightPoint& p : points)
+    if (std::hypot(p.u, p.v) <= reach) near.push_back(p);
+  if (near.size() < kLeastExtentPoints) return std::nullopt;
+  // value = a + b t, t of the disc's edge: a regression.
+  double n = 0, t = 0, v = 0, tt = 0, tv = 0, ground = 0;
+  std::vector<double> shape;
+  std::vector<size_t> clear;  // of the border
+  for (const BrightPoint& p : near) {
+    const double r = std::hypot(p.u, p.v), s = std::tanh((radius - r) / width);
+    if (std::fabs(r - radius) > width) clear.push_back(shape.size());
+    shape.push_back(s);
+    ++n, t += s, v += p.value, tt += s * s, tv += s * p.value, ground += r > radius;
+  }
+  const double spread = tt - t * t / n;
+  if (!(spread > 0) || ground < kLeastGroundPoints) return std::nullopt;
+  const double b = (tv - t * v / n) / spread, a = (v - b * t) / n;
+  std::vector<double> residuals;
+  for (const size_t i : clear) residuals.push_back(a + b * shape[i] - near[i].value);
+  const double noise = noise_of(points, width);
+  return PatternExtent{diameter_m, sigma_m, misfit_of(residuals, noise, variance_of(near)),
+                       2 * std::fabs(b) / noise, near.size()};
+}
+
+}  // namespace jalon

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/targets/pattern_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+#include "base/parallel.h"
+#include "geometry/plane.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr int kDeepestSearch = 20;      // of the tree, which has 21 levels
+constexpr double kSearchSteps = 4;      // places in a pattern's size
+constexpr double kCheckerReach = 0.45;  // of a checker's edge: what its quadrants surely fill
+constexpr double kDiscReach = 0.75;     // of a disc's diameter: half as much again shows its ground
+constexpr double kLeastLikeness =
+    0.2;  // a quarter of a step beside a centre more than this is left of a noisy pattern
+constexpr size_t kMostSpots = 400;  // looked at of a place: they tell whether it is worth measuring
+constexpr size_t kCellsAtOnce = 64;
+constexpr double kApart = 0.5;  // of a size: nearer places are of one pattern
+
+struct Spot {
+  double u, v, value;
+  /// cos and sin of twice the angle about the place.
+  std::complex<double> doubled() const {
+    const double r2 = u * u + v * v;
+    return r2 > 0 ? std::complex<double>{(u * u - v * v) / r2, 2 * u * v / r2} : 0;
+  }
+};
+
+// Squared correlation of the brightness with the sign of cos(2 angle - turn), at the turn of the second harmonic.
+double checker_likeness(const std::vector<Spot>& spots, double mean, double squares) {
+  std::complex<double> sum = 0;
+  for (const Spot& s : spots) sum += (s.value - mean) * s.doubled();
+  double with = 0, signs = 0;
+  for (const Spot& s : spots) {
+    const double sign = (s.doubled() * std::conj(sum)).real() > 0 ? 1 : -1;
+    with += sign * (s.value - mean), signs += sign;
+  }
+  const auto n = static_cast<double>(spots.size());
+  const double spread = n - signs * signs / n;
+  return spread > 0 ? with * with / (spread * squares) : 0;
+}
+
+double disc_likeness(const std::vector<Spot>& spots, double mean, double squares, double radius_m) {
+  double inside = 0, with = 0;
+  for (const Spot& s : spots)
+    if (std::hypot(s.u, s.v) < radius_m) ++inside, with += s.value - mean;
+  const auto n = static_cast<double>(spots.size());
+  const double spread = inside - inside * inside / n;
+  return spread > 0 ? with * with / (spread * squares) : 0;
+}
+
+class Looking {
+ public:
+  Looking(const Cloud& cloud, const Octree& tree, const Column& intensity, TargetKind kind,
+          double size_m, double tolerance_m, uint64_t min_points)
+      : cloud_(cloud),
+        tree_(tree),
+        intensity_(intensity),
+        kind_(kind),
+        size_m_(size_m),
+        tolerance_m_(tolerance_m),
+        min_points_(min_points) {}
+
+  double likeness_at(const Vec3& place, std::vector<Neighbour>& near,
+                     std::vector<Spot>& spots) const {
+    tree_.radius(place, (kind_ == TargetKind::kChecker ? kCheckerReach : kDiscReach) * size_m_,
+                 near);
+    if (near.size() < min_points_) return 0;
+    const size_t stride = near.size() / kMostSpots + 1;
+    Moments moments;
+    moments.reference = place;
+    for (size_t i = 0; i < near.size(); i += stride) moments.add(cloud_.point(near[i].index));
+    PlaneFit fit;
+    if (!fit_plane(moments, fit)) return 0;
+    spots.clear();
+    double mean = 0, squares = 0;
+    for (size_t i = 0; i < near.size(); i += stride) {
+      const uint32_t index = near[i].index;
+      const Vec3 d = cloud_.point(index) - place;
+      const double value = intensity_.number(index), off = fit.plane.distance(place + d);
+      if (std::fabs(off) > tolerance_m_ || !std::isfinite(value)) continue;
+      spots.push_back({dot(d, fit.axis_u), dot(d, fit.axis_v), value});
+      mean += value;
+    }
+    if (spots.size() < std::min<size_t>(min_points_, kMostSpots / 2)) return 0;
+    mean /= static_cast<double>(spots.size());
+    for (const Spot& s : spots) squares += (s.value - mean) * (s.value - mean);
+    if (!(squares > 0)) return 0;
+    return kind_ == TargetKind::kChecker ? checker_likeness(spots, mean, squares)
+                                         : disc_likeness(spots, mean, squares, size_m_ / 2);
+  }
+
+ private:
+  const Cloud& cloud_;
+  const Octree& tree_;
+  const Column& intensity_;
+  TargetKind kind_;
+  double size_m_, tolerance_m_;
+  uint64_t min_points_;
+};
+
+int level_of(const Cube& cube, double edge_m) {
+  int level = 0;
+  while (level < kDeepestSearch && std::ldexp(cube.edge, -level) > edge_m) ++level;
+  return level;
+}
+
+// The most alike of places that are near each other. Ties by the order of the tree.
+std::vector<PatternPlace> best_of(std::vector<PatternPlace> places) {
+  std::stable_sort(
+      places.begin(), places.end(),
+      [](const PatternPlace& a, const PatternPlace& b) { return a.likeness > b.likeness; });
+  if (places.empty()) return places;
+  Buffer<double> xyz(3 * places.size());
+  Box3 box;
+  for (size_t i = 0; i < places.size(); ++i) {
+    box.add(places[i].place);
+    for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = places[i].place[k];
+  }
+  Task task;
+  const auto tree = Octree::build(xyz, enclosing_cube(box), task);
+  std::vector<bool> is_gone(places.size());
+  std::vector<PatternPlace> out;
+  std::vector<Neighbour> near;
+  for (size_t i = 0; i < places.size(); ++i) {
+    if (is_gone[i]) continue;
+    out.push_back(places[i]);
+    tree->radius(places[i].place, kApart * places[i].size_m, near);
+    for (const Neighbour& n : near) is_gone[n.index] = true;
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<PatternPlace> pattern_places(const Cloud& cloud, const Octree& tree,
+                                         const Column& intensity, TargetKind kind, double size_m,
+                                         double tolerance_m, uint64_t min_points, Task& task) {
+  const auto cells = tree.cells(level_of(tree.cube(), size_m / kSearchSteps), task);
+  const Looking looking(cloud, tree, intensity, kind, size_m, tolerance_m, min_points);
+  std::vector<PatternPlace> all(cells.size());
+  parallel_for(task, cells.size(), kCellsAtOnce, [&](size_t begin, size_t end) {
+    std::vector<Neighbour> near;
+    std::vector<Spot> spots;
+    for (size_t i = begin; i < end; ++i) {
+      const auto order = tree.order().subspan(cells[i].first, cells[i].count);
+      const Vec3 origin = cloud.point(order[0]);
+      Vec3 sum;
+      for (const uint32_t index : order) sum += cloud.point(index) - origin;
+      const Vec3 place = origin + sum / static_cast<double>(order.size());
+      all[i] = {place, kind, size_m, looking.likeness_at(place, near, spots)};
+    }
+  });
+  std::erase_if(all, [](const PatternPlace& p) { return p.likeness < kLeastLikeness; });
+  return best_of(std::move(all));
+}
+
+}  // namespace jalon
