@@ -15,6 +15,7 @@ ENUMS = {
     "ORIENTATION_NONE": ("Orientation", "ORIENTATION_"), "RELATION_DISJOINT": ("Relation", "RELATION_"),
     "DIRECTION_LEFT": ("Direction", "DIRECTION_"), "FRONT_NONE": ("FrontSource", "FRONT_"),
     "PRIMITIVE_PLANE": ("Primitive", "PRIMITIVE_"), "OK": ("Status", ""), "TARGET_SPHERE": ("TargetKind", "TARGET_"),
+    "RECOGNISED_KNOWN": ("Recognised", "RECOGNISED_"),
     "MATCH_ACCEPTED": ("Match", "MATCH_"), "OBSERVATION_DIRECTION": ("Observation", "OBSERVATION_"),
     "APART_UNKNOWN": ("ApartCause", "APART_"),
     "LOG_DEBUG": ("LogLevel", "LOG_"), "INT8": ("ElementType", ""), "NOT_RECOVERED": ("Recovery", ""),

@@ -20,6 +20,14 @@ enum {
   JALON_TARGET_PATCH = 4 /**< centre of a plate */
 };
 
+/** What a target is that a catalogue was searched for. */
+enum {
+  JALON_RECOGNISED_KNOWN = 1, /**< one entry fits, with the confidence asked for: its code holds */
+  JALON_RECOGNISED_AMBIGUOUS = 2, /**< two entries, or two readings of the pattern, fit: no code */
+  JALON_RECOGNISED_FOREIGN = 3,   /**< a target of a kind and size that no entry has */
+  JALON_RECOGNISED_UNCERTAIN = 4  /**< may be a target, or this entry, but not surely enough */
+};
+
 /**
  * Measures the targets near count places (x, y, z each, in the cloud's frame; within "search_m" of
  * the whole target). JALON_ERROR_INVALID_ARGUMENT for places that are not finite. O(points around
@@ -52,6 +60,19 @@ enum {
  * (1982), on the safe side where edges are sharper than the points are apart; along the normal that
  * of the plane. Without a pattern, the centre of the plate's outline when it ends within
  * "search_m", to half a point spacing.
+ *
+ * With a "catalogue" (kinds, sizes and codes of the targets that were put up) count is 0 and the
+ * whole cloud is searched for checkers and discs by the field "intensity_field": JALON_ERROR_NOT_FOUND
+ * without it, JALON_ERROR_INSUFFICIENT_DATA where it is the same everywhere. A row a target found,
+ * facade by facade, all with status JALON_OK; O(points). Further columns:
+ *     size                float64  m   edge of the checker, diameter of the disc
+ *     size_sigma          float64  m   its standard deviation
+ *     verdict             uint8    -   JALON_RECOGNISED_...
+ *     entry               int32    -   of the catalogue, from 0, that fits best; -1: none
+ *     second              int32    -   another that may be meant; -1: none
+ *     confidence          float64  1   chance that it is this entry; without one, that it is a target
+ *     pattern_confidence  float64  1   chance that it is a target
+ *     misfit              float64  1   share of the brightness that pattern, ground and noise leave
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_measure_targets(const jalon_cloud* cloud,
                                                                const double* places, uint64_t count,

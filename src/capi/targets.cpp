@@ -4,6 +4,7 @@
 
 #include "capi/support/guard.h"
 #include "registration/targets/measure.h"
+#include "registration/targets/recognition.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -16,6 +17,11 @@ static_assert(JALON_TARGET_SPHERE == static_cast<int>(TargetKind::kSphere));
 static_assert(JALON_TARGET_CHECKER == static_cast<int>(TargetKind::kChecker));
 static_assert(JALON_TARGET_DISC == static_cast<int>(TargetKind::kDisc));
 static_assert(JALON_TARGET_PATCH == static_cast<int>(TargetKind::kPatch));
+
+static_assert(JALON_RECOGNISED_KNOWN == static_cast<int>(TargetVerdict::kKnown));
+static_assert(JALON_RECOGNISED_AMBIGUOUS == static_cast<int>(TargetVerdict::kAmbiguous));
+static_assert(JALON_RECOGNISED_FOREIGN == static_cast<int>(TargetVerdict::kForeign));
+static_assert(JALON_RECOGNISED_UNCERTAIN == static_cast<int>(TargetVerdict::kUncertain));
 
 std::vector<Vec3> places_from(const double* places, uint64_t count) {
   if (count > 0) require(places, "places");

@@ -69,6 +69,7 @@ int run(int argc, char** argv) {
     add_normals(app);
     add_facade(app);
     add_segment(app);
+    add_targets(app);
     add_code(app);
     add_network(app);
     add_model(app);

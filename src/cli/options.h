@@ -95,6 +95,7 @@ void add_normals(Command& app);
 void add_facade(Command& app);
 void add_segment(Command& app);
 void add_code(Command& app);
+void add_targets(Command& app);
 void add_network(Command& app);
 void add_model(Command& app);
 void add_evaluate(Command& app);

@@ -23,6 +23,7 @@ constexpr double kCheckerShare =
     0.45;  // radius within a checker, of its edge: what its quadrants surely fill
 constexpr double kDiscShare =
     0.8;  // radius around a disc, of its diameter: so much of the ground shows its edge
+constexpr double kGapShare = 0.01;  // of the points may lie in a gap: those that noise put there
 constexpr int kRefits = 3;  // the window moves with the centre
 constexpr int kMostSteps = 60;
 constexpr double kSettled = 1e-6;  // of what an edge notices: a step below it ends the fit
@@ -171,6 +172,24 @@ std::optional<Refined<Model>> refine(std::span<const BrightPoint> points, double
   return refined;
 }
 
+// Between the points on either side of a line through the centre: where scan lines run along it, it may lie anywhere
+// between two of them, which no covariance of the fit tells.
+double gap_at(const std::vector<BrightPoint>& points, const Vec2& centre, const Vec2& normal) {
+  std::vector<double> sides[2];
+  for (const BrightPoint& p : points) {
+    const double d = (p.u - centre.u) * normal.u + (p.v - centre.v) * normal.v;
+    sides[d > 0].push_back(std::fabs(d));
+  }
+  double gap = 0;
+  for (std::vector<double>& side : sides) {
+    const auto few = static_cast<std::ptrdiff_t>(kGapShare * static_cast<double>(side.size()));
+    if (side.empty()) continue;
+    std::nth_element(side.begin(), side.begin() + few, side.end());
+    gap += side[static_cast<size_t>(few)];
+  }
+  return gap;
+}
+
 }  // namespace
 
 std::optional<PatternCentre> find_checker(std::span<const BrightPoint> points, double size_m,
@@ -179,7 +198,17 @@ std::optional<PatternCentre> find_checker(std::span<const BrightPoint> points, d
   if (!model) return std::nullopt;
   const auto refined = refine(points, kCheckerShare * size_m, size_m, *model, task);
   if (!refined) return std::nullopt;
-  return refined->pattern;
+  PatternCentre out = refined->pattern;
+  for (const double angle : refined->model.angle) {
+    const Vec2 n{std::cos(angle), std::sin(angle)};
+    const double gap = gap_at(window(points, out.centre, kCheckerShare * size_m), out.centre, n);
+    const double variance = gap * gap / 12;  // of a place anywhere in the gap
+    out.covariance[0] += variance * n.u * n.u;
+    out.covariance[1] += variance * n.u * n.v;
+    out.covariance[2] += variance * n.u * n.v;
+    out.covariance[3] += variance * n.v * n.v;
+  }
+  return out;
 }
 
 std::optional<PatternCentre> find_disc(std::span<const BrightPoint> points, double size_m,

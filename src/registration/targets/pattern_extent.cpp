@@ -3,6 +3,7 @@
 #include "registration/targets/pattern_extent.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -24,6 +25,12 @@ constexpr size_t kLeastExtentPoints = 24;
 constexpr size_t kLeastGroundPoints = 8;
 constexpr double kNearLine = 0.75;      // spacings: closer to a line a point sees both sides
 constexpr double kMadToDeviation = 1.4826;  // median of |x| of the standard normal, inverted
+constexpr double kUnevenQuadrants = 0.25;  // of the contrast: those of a print are alike
+constexpr double kUnevenGround = 0.35;     // of the contrast, scatter of what is around a target
+constexpr double kNextShare = 1.5;  // of the half-edge: so far a next tile is looked for
+constexpr double kNextTile = 0.5;  // mean signed brightness: -1 of a next tile, 0 of a ground
+constexpr double kLeastBeyond = 3;  // points of half a side
+constexpr int kSectors = 8;  // around a disc; one may be hidden
 constexpr double kNoiseCell = 2;        // spacings: cells of some four points
 constexpr size_t kLeastDifferences = 8;
 constexpr int kExtentSteps = 60;
@@ -73,18 +80,23 @@ std::optional<Quadrants> quadrants_of(std::span<const BrightPoint> points, doubl
   Quadrants out;
   // Bright along the diagonal at this angle: the lines lie an eighth of a turn off.
   out.turn_rad = std::arg(sum) / 2 - std::numbers::pi / 4;
-  double bright = 0, dark = 0, bright_n = 0, dark_n = 0;
+  double sums[4] = {}, counts[4] = {};  // of quadrants; 0 and 3 are the bright ones
   const double c = std::cos(out.turn_rad), s = std::sin(out.turn_rad);
   for (const BrightPoint& p : points) {
     if (!within(p)) continue;
     const double x = c * p.u + s * p.v, y = c * p.v - s * p.u;
-    if (x * y > 0) bright += p.value, ++bright_n;
-    else dark += p.value, ++dark_n;
+    const size_t quadrant = (x > 0 ? 2 : 0) + (y > 0 ? 1 : 0);
+    sums[quadrant] += p.value, ++counts[quadrant];
   }
-  if (!(bright_n > 0 && dark_n > 0)) return std::nullopt;
-  bright /= bright_n, dark /= dark_n;
+  for (size_t k = 0; k < 4; ++k) {
+    if (counts[k] < kLeastBeyond) return std::nullopt;
+    sums[k] /= counts[k];
+  }
+  const double bright = (sums[0] + sums[3]) / 2, dark = (sums[1] + sums[2]) / 2;
   out.level = (bright + dark) / 2, out.contrast = (bright - dark) / 2;
   if (!(out.contrast > 0)) return std::nullopt;
+  const double uneven = std::max(std::fabs(sums[0] - sums[3]), std::fabs(sums[1] - sums[2]));
+  if (uneven > kUnevenQuadrants * (bright - dark)) return std::nullopt;
   return out;
 }
 
@@ -157,7 +169,7 @@ double misfit_of(const std::vector<double>& residuals, double noise, double vari
   const double mean = squares / std::max(1.0, static_cast<double>(residuals.size()));
   return residuals.empty() || !(variance > 0)
              ? 1
-             : std::max(0.0, mean - noise * noise) / variance : 1;
+             : std::max(0.0, mean - noise * noise) / variance;
 }
 
 double variance_of(std::span<const BrightPoint> points) {
@@ -166,6 +178,56 @@ double variance_of(std::span<const BrightPoint> points) {
   for (const BrightPoint& p : points) mean += p.value / n;
   for (const BrightPoint& p : points) sum += (p.value - mean) * (p.value - mean) / n;
   return sum;
+}
+
+// A part of a larger pattern: beyond a side dark follows bright and bright dark, or both go on. What a target sticks on
+// is about the same beyond all halves of its sides.
+bool goes_on(std::span<const BrightPoint> points, const Quadrants& q, double half_m,
+             double spacing_m) {
+  struct Half {
+    double n = 0, sum = 0;
+  } halves[4][2];
+  const double c = std::cos(q.turn_rad), s = std::sin(q.turn_rad);
+  for (const BrightPoint& p : points) {
+    const double x = c * p.u + s * p.v, y = c * p.v - s * p.u;
+    const double far = std::max(std::fabs(x), std::fabs(y)),
+                 near = std::min(std::fabs(x), std::fabs(y));
+    if (far < half_m + spacing_m || far > kNextShare * half_m || near > half_m) continue;
+    const bool is_x = std::fabs(x) > std::fabs(y);
+    const size_t side = is_x ? (x > 0 ? 0 : 1) : (y > 0 ? 2 : 3);
+    Half& half = halves[side][x * y > 0 ? 0 : 1];
+    const double w = (x * y > 0 ? 1 : -1) * (p.value - q.level) / q.contrast;
+    ++half.n, half.sum += std::clamp(w, -kMostSigned, kMostSigned);
+  }
+  double n = 0, sum = 0, squares = 0;  // of the halves' brightness, over half the contrast
+  for (const auto& side : halves) {
+    for (size_t k = 0; k < 2; ++k) {
+      if (side[k].n < kLeastBeyond) continue;
+      const double level = (k == 0 ? 1 : -1) * side[k].sum / side[k].n;
+      ++n, sum += level, squares += level * level;
+    }
+    if (side[0].n < kLeastBeyond || side[1].n < kLeastBeyond) continue;
+    const double signed_mean = (side[0].sum / side[0].n + side[1].sum / side[1].n) / 2;
+    if (std::fabs(signed_mean) > kNextTile) return true;
+  }
+  if (n < 2) return false;
+  const double variance = (squares - sum * sum / n) / n;
+  return std::sqrt(std::max(0.0, variance)) > 2 * kUnevenGround;
+}
+
+// Of a sheet with nothing around it, from its extents along both axes: scan lines along a side end up to a spacing short
+// of it, others hardly.
+double half_of_sheet(std::span<const BrightPoint> points, const Quadrants& q, double last_m,
+                     double spacing_m) {
+  const double c = std::cos(q.turn_rad), s = std::sin(q.turn_rad);
+  double low[2] = {0, 0}, high[2] = {0, 0};
+  for (const BrightPoint& p : points) {
+    const double at[2] = {c * p.u + s * p.v, c * p.v - s * p.u};
+    if (std::max(std::fabs(at[0]), std::fabs(at[1])) > last_m) continue;
+    for (size_t k = 0; k < 2; ++k)
+      low[k] = std::min(low[k], at[k]), high[k] = std::max(high[k], at[k]);
+  }
+  return (high[0] - low[0] + high[1] - low[1] + spacing_m) / 4;
 }
 
 size_t count_between(const std::vector<BrightPoint>& list, double from, double to) {
@@ -181,6 +243,17 @@ std::vector<BrightPoint> nearer_than(const std::vector<BrightPoint>& list, doubl
   return out;
 }
 
+// A disc has its ground all around it; half of one may be anything that ends in a bow.
+bool is_surrounded(const std::vector<BrightPoint>& points, double radius_m) {
+  std::array<bool, kSectors> has_ground{};
+  for (const BrightPoint& p : points) {
+    if (std::hypot(p.u, p.v) <= radius_m) continue;
+    const double turn = std::atan2(p.v, p.u) / (2 * std::numbers::pi) + 0.5;
+    has_ground[std::min<size_t>(static_cast<size_t>(turn * kSectors), kSectors - 1)] = true;
+  }
+  return std::count(has_ground.begin(), has_ground.end(), true) >= kSectors - 1;
+}
+
 }  // namespace
 
 std::optional<PatternExtent> checker_extent(std::span<const BrightPoint> points, double inner_m,
@@ -192,17 +265,18 @@ std::optional<PatternExtent> checker_extent(std::span<const BrightPoint> points,
   BorderModel model;
   model.half_m = border_of(list, *quadrants, most_m / 2);
   if (!(model.half_m > spacing) || model.half_m > most_m / 2 - spacing) return std::nullopt;
+  if (goes_on(points, *quadrants, model.half_m, spacing)) return std::nullopt;
   model.width_m = spacing;
   model.bright = quadrants->level + quadrants->contrast;
   model.dark = quadrants->level - quadrants->contrast;
   model.ground = quadrants->level;
-  const double reach = reach_of(model.half_m, spacing);
+  const double last = model.half_m, reach = reach_of(model.half_m, spacing);
   const bool has_ground = count_between(list, model.half_m, reach) >= kLeastGroundPoints;
   const auto near = nearer_than(list, reach);
   if (near.size() < kLeastExtentPoints) return std::nullopt;
   PatternExtent out;
-  // Where nothing is around it, the last points are within half their spacing of the border.
-  out.sigma_m = spacing / std::sqrt(3.0);
+  // Where nothing is around it: two axes, each short of up to a spacing.
+  out.sigma_m = spacing / std::sqrt(6.0);
   if (has_ground) {
     constexpr adjustment::Weighting kAll{INFINITY, INFINITY};
     auto small = model.units(0);
@@ -212,8 +286,10 @@ std::optional<PatternExtent> checker_extent(std::span<const BrightPoint> points,
     const auto covariance = PatternCovariance<BorderModel>::estimate(all, model, model.half_m);
     if (!covariance || !(model.half_m > 0)) return std::nullopt;
     out.sigma_m = 2 * std::sqrt((*covariance)[0]);
+    // Between the last of its points and a ground further off the border may be anywhere: near the former.
+    model.half_m = std::min(model.half_m, last + spacing / 2);
   } else {
-    model.half_m += spacing / 2;
+    model.half_m = half_of_sheet(points, *quadrants, last, spacing);
   }
   out.size_m = 2 * model.half_m;
   std::vector<double> residuals;
@@ -246,7 +322,7 @@ std::optional<PatternExtent> disc_extent(std::span<const BrightPoint> points, do
     ++n, t += s, v += p.value, tt += s * s, tv += s * p.value, ground += r > radius;
   }
   const double spread = tt - t * t / n;
-  if (!(spread > 0) || ground < kLeastGroundPoints) return std::nullopt;
+  if (!is_surrounded(near, radius) || !(spread > 0) || ground < kLeastGroundPoints) return std::nullopt;
   const double b = (tv - t * v / n) / spread, a = (v - b * t) / n;
   std::vector<double> residuals;
   for (const size_t i : clear) residuals.push_back(a + b * shape[i] - near[i].value);

@@ -17,8 +17,8 @@ constexpr int kDeepestSearch = 20;      // of the tree, which has 21 levels
 constexpr double kSearchSteps = 4;      // places in a pattern's size
 constexpr double kCheckerReach = 0.45;  // of a checker's edge: what its quadrants surely fill
 constexpr double kDiscReach = 0.75;     // of a disc's diameter: half as much again shows its ground
-constexpr double kLeastLikeness =
-    0.2;  // a quarter of a step beside a centre more than this is left of a noisy pattern
+// So much is left of a noisy pattern half a step beside its centre; of a disc also when it is larger than looked for.
+constexpr double kLeastCheckerLikeness = 0.3, kLeastDiscLikeness = 0.25;
 constexpr size_t kMostSpots = 400;  // looked at of a place: they tell whether it is worth measuring
 constexpr size_t kCellsAtOnce = 64;
 constexpr double kApart = 0.5;  // of a size: nearer places are of one pattern
@@ -157,7 +157,9 @@ std::vector<PatternPlace> pattern_places(const Cloud& cloud, const Octree& tree,
       all[i] = {place, kind, size_m, looking.likeness_at(place, near, spots)};
     }
   });
-  std::erase_if(all, [](const PatternPlace& p) { return p.likeness < kLeastLikeness; });
+  const double least =
+      kind == TargetKind::kChecker ? kLeastCheckerLikeness : kLeastDiscLikeness;
+  std::erase_if(all, [&](const PatternPlace& p) { return p.likeness < least; });
   return best_of(std::move(all));
 }
 

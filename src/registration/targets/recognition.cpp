@@ -26,14 +26,22 @@ constexpr double kWithinChecker = 0.5, kWithinDisc = 0.8;
 constexpr double kAround = 0.75;      // of the largest size: radius of what the border is sought in
 constexpr double kLargest = 1.5;      // of the catalogue's largest: beyond, a border is no target's
 constexpr double kSmallest = 0.6;     // of the smallest
-constexpr double kGroundDepth = 0.3;  // of a size: what lies so far before or behind is its ground
-constexpr double kSamePlace = 0.5;    // of a size: nearer centres are readings of one pattern
+// Sigmas of the plane, and of the tolerance at least this share: what lies so far behind is not beside the sheet, and
+// seen askew it seems to lie within it.
+constexpr double kGroundSigmas = 3, kGroundTolerance = 0.5;
+constexpr double kAskew = 0.3;  // of the depth of what is around: so much a border may be off, seen askew
+constexpr double kSameDirection = 0.95, kSameFacade_m = 0.3;  // cosine; depth of reveals
+constexpr double kSamePlace = 0.6;    // of a size: nearer centres are readings of one pattern
 // Readings whose confidences differ by less than this factor stand for each other.
 constexpr double kAlikeReadings = 0.5;
 
 // Chance of a pattern by its misfit, a logistic curve: the misfits of targets and of other patterns of the scenes
 // developed with (tests/accuracy/coded_targets_test.cpp).
-constexpr double kEvenMisfit = 0.15, kMisfitScale = 0.02;
+struct MisfitChance {
+  double even, scale;
+};
+constexpr MisfitChance kCheckerChance{0.11, 0.015}, kDiscChance{0.035, 0.005};
+constexpr double kVagueSize = 0.1;  // of the size, its sigma: more is no border
 constexpr double kLeastPattern = 0.5;  // less likely ones are no targets and not listed
 
 // Of a target of another size than all entries: this share, spread over one power of e of sizes.
@@ -41,8 +49,9 @@ constexpr double kForeignShare = 0.05;
 constexpr double kEntryFits = 4;  // sigmas: further from all of them a size is in no entry
 constexpr double kAlsoFits = 0.02;  // chance from which a second entry is named
 
-double chance_of_pattern(double misfit) {
-  return 1 / (1 + std::exp((misfit - kEvenMisfit) / kMisfitScale));
+double chance_of_pattern(TargetKind kind, double misfit) {
+  const auto [even, scale] = kind == TargetKind::kChecker ? kCheckerChance : kDiscChance;
+  return 1 / (1 + std::exp((misfit - even) / scale));
 }
 
 std::optional<PatternExtent> extent_of(const Cloud& cloud, const Octree& tree,
@@ -56,7 +65,7 @@ std::optional<PatternExtent> extent_of(const Cloud& cloud, const Octree& tree,
   const Vec3 normal = target.measured.normal;
   const Vec3 away = std::fabs(normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
   const Vec3 u = normalized(cross(away, normal)), v = cross(normal, u);
-  const double depth = std::max(tolerance_m, kGroundDepth * inner_m);
+  const double depth = std::max(kGroundSigmas * target.measured.sigma_m, kGroundTolerance * tolerance_m);
   std::vector<BrightPoint> points;
   for (size_t i = 0; i < near.points.size(); ++i) {
     const Vec3 d = near.points[i] - target.measured.centre;
@@ -82,22 +91,23 @@ std::optional<RecognisedTarget> read_at(const Cloud& cloud, const Octree& tree,
     setting.size_m = size;
     // Of its own size nothing but the sheet is looked at: what it sticks on would take the plane along.
     setting.search_m =
-        (is_checker ? kWithinChecker : kWithinDisc) * size + (pass == 0 ? kPlaceReach * size : 0);
+        (is_checker ? kWithinChecker + (pass == 0 ? kPlaceReach : 0) : kWithinDisc) * size;
     out.measured = measure_flat(cloud, tree, out.place, setting, task);
     if (out.measured.status != Status::kOk) return std::nullopt;
     const auto extent = extent_of(cloud, tree, intensity, out, size, setting.tolerance_m,
                                   kLargest * size_range_m.second, task);
     if (!extent || extent->size_m < kSmallest * size_range_m.first ||
-        extent->size_m > kLargest * size_range_m.second)
+        extent->size_m > kLargest * size_range_m.second ||
+        extent->sigma_m > kVagueSize * extent->size_m)
       return std::nullopt;
     size = out.size_m = extent->size_m;
-    out.size_sigma_m = extent->sigma_m;
+    out.size_sigma_m = std::hypot(extent->sigma_m, is_checker ? kAskew * setting.tolerance_m / 2 : 0);
     out.misfit = extent->misfit;
     out.contrast_to_noise = extent->contrast_to_noise;
     out.place += out.measured.centre;
     out.measured.centre = {};
   }
-  out.pattern_confidence = chance_of_pattern(out.misfit);
+  out.pattern_confidence = chance_of_pattern(at.kind, out.misfit);
   return out;
 }
 
@@ -124,6 +134,25 @@ std::vector<RecognisedTarget> best_readings(std::vector<RecognisedTarget> all) {
     else if (same->measured.kind != reading.measured.kind &&
              reading.pattern_confidence > kAlikeReadings * same->pattern_confidence)
       same->verdict = TargetVerdict::kAmbiguous;
+  }
+  return out;
+}
+
+// Those of one plane follow each other, the planes in the order of their first targets: codes of windows come in pairs
+// of a facade.
+std::vector<RecognisedTarget> by_facade(std::vector<RecognisedTarget> all) {
+  std::vector<RecognisedTarget> out;
+  std::vector<bool> is_taken(all.size());
+  for (size_t i = 0; i < all.size(); ++i) {
+    const Vec3 n = all[i].measured.normal;
+    for (size_t k = i; k < all.size(); ++k) {
+      const double off = dot(all[k].centre() - all[i].centre(), n);
+      const bool same = std::fabs(dot(all[k].measured.normal, n)) > kSameDirection &&
+                        std::fabs(off) < kSameFacade_m;
+      if (is_taken[k] || !(same || k == i)) continue;
+      is_taken[k] = true;
+      out.push_back(all[k]);
+    }
   }
   return out;
 }
@@ -198,7 +227,7 @@ std::vector<RecognisedTarget> recognised_targets(const Cloud& cloud,
     const Vec3 p = a.centre(), q = b.centre();
     return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
   });
-  return out;
+  return by_facade(std::move(out));
 }
 
 FieldTable recognise_targets(const Cloud& cloud, const MeasuringSettings& settings, Task& task) {

@@ -41,7 +41,7 @@ void judge(const TargetCatalogue& catalogue, double least_confidence, Recognised
 /// 3. The border of the pattern, and what of its brightness it leaves unexplained.
 /// 4. Of readings at one place the best; entries of the catalogue that fit.
 ///
-/// After: sorted along x, then y, then z. Error(kNotFound) for a cloud without the field,
+/// After: facade by facade, along x, then y, then z. Error(kNotFound) for a cloud without the field,
 /// Error(kInsufficientData) for one that is the same everywhere.
 std::vector<RecognisedTarget> recognised_targets(const Cloud& cloud,
                                                  const TargetCatalogue& catalogue,
