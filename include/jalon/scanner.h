@@ -137,9 +137,10 @@ JALON_API JALON_CHECK jalon_status jalon_scanner_truth(const jalon_scanner* scan
  *   wall 4 and 5, free wall 6 to 10, excavator from 11 on.
  * - grammar: a facade made by rules, another one for each seed, of the kind asked for (town_house,
  *   apartments, shops, arcade, offices, gabled, wings, loggias, church, factory, terrace, mansard;
- *   by name only: timbered, villa, school, sheds, nave), with what stands in its windows, rooms
- *   behind the glass, and trees, cars and people in front. It brings its own scanner
- *   (jalon_scene_scanner) and tells its walls and openings (jalon_scene_write_truth).
+ *   by name only: timbered, villa, school, sheds, nave, warehouse, staggered, corner), with what
+ *   stands in its windows, rooms behind the glass, and trees, cars and people in front. It brings
+ *   its own scanner (jalon_scene_scanner) and tells its walls and openings
+ *   (jalon_scene_write_truth).
  * - yard: four low buildings of corrugated sheet about a yard, after the survey of a master's thesis on feature codes
  *   (University of Liege 2021): doors, windows with panes, blinds and sills, two of them half open, gutters, eaves,
  *   bushes, coded targets; for scanner "sample", with "glass_return_min" and "densities". It brings the code lists

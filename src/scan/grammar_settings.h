@@ -25,9 +25,12 @@ enum class FacadeKind {
   kVilla,
   kSchool,
   kSheds,
-  kNave
+  kNave,
+  kWarehouse,
+  kStaggered,
+  kCorner
 };
-constexpr int kFacadeKinds = 17;
+constexpr int kFacadeKinds = 20;
 /// kAny draws among these first ones: a seed keeps its facade when a kind is added.
 constexpr int kDrawnKinds = 12;
 /// As the parameter "kind" has it.
@@ -50,7 +53,7 @@ inline constexpr auto kGrammarRows = setting_rows(
     choice_row<&GrammarSettings::kind>(
         "kind",
         "any|town_house|apartments|shops|arcade|offices|gabled|wings|loggias|church|factory|"
-        "terrace|mansard|timbered|villa|school|sheds|nave",
+        "terrace|mansard|timbered|villa|school|sheds|nave|warehouse|staggered|corner",
         "grammar",
         "kind of facade: any: one of the next twelve by the seed; town_house: surrounds, shutters, "
         "balconies; apartments: balconies and blinds; shops: shop fronts, signs, canopies; arcade: "
@@ -60,7 +63,11 @@ inline constexpr auto kGrammarRows = setting_rows(
         "narrow houses some centimetres apart; mansard: arched windows, a long balcony, dormers; "
         "timbered: storeys that stand out, timbers, uneven bays; villa: a gabled part, a bay "
         "window, shutters; school: ribbons of windows, sun screens, a stair; sheds: a saw-tooth "
-        "roof, high strips of windows; nave: lancets between buttresses"),
+        "roof, high strips of windows; nave: lancets between buttresses; warehouse: segmental "
+        "arches, "
+        "loading doors above each other; staggered: windows of three sizes on no grid, balconies "
+        "in "
+        "recesses; corner: shops, an oriel, a cut corner"),
     number_row<&GrammarSettings::front_m>("front_m", 0, 60, "m", "grammar",
                                           "length of the front; 0: by the seed"),
     integer_row<&GrammarSettings::floors>("floors", 0, 12, "1", "grammar",

@@ -113,5 +113,8 @@ void plan_villa(Sketch& sketch);
 void plan_school(Sketch& sketch);
 void plan_sheds(Sketch& sketch);
 void plan_nave(Sketch& sketch);
+void plan_warehouse(Sketch& sketch);
+void plan_staggered(Sketch& sketch);
+void plan_corner(Sketch& sketch);
 
 }  // namespace jalon::grammar
