@@ -29,6 +29,10 @@ constexpr double kCornice_m = 0.6;   // strips of a wall stand no farther before
 constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
 constexpr size_t kLookedAtCells = 20000;
 constexpr double kFilledShare = 0.5;
+// Of an opening's cells: at a slant past a bay window little more is seen.
+constexpr double kGlimpsedShare = 0.2;
+constexpr double kHidingShare = 0.2;  // sills and piers of a bay window, of what lies behind it
+constexpr int kHiddenProbes = 16;     // along each side of an opening
 
 bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
   const uint32_t k = kWellInside;
@@ -252,17 +256,47 @@ double filled_share(const WallCells& cells, const OpeningShape& shape, const Wal
          (box.width() * box.height());
 }
 
+// Whether another wall stands before an opening, with windows of its own. What lies behind one opening of that wall alone
+// is seen through it: a loggia's window.
+bool is_hidden_by(const WallCells& cells, const OpeningShape& shape, const WallCells& other) {
+  const RingBox box = shape.box();
+  size_t all = 0, within = 0, measured = 0;
+  for (int j = 0; j < kHiddenProbes; ++j)
+    for (int i = 0; i < kHiddenProbes; ++i) {
+      const Vec2 at = box.low + Vec2{box.width() * (i + 0.5) / kHiddenProbes,
+                                     box.height() * (j + 0.5) / kHiddenProbes};
+      if (!shape.holds(at)) continue;
+      ++all;
+      const Foot foot(other, cells.frame.lift(at));
+      if (!foot.is_on_map || foot.depth_m <= other.on_m / 2) continue;
+      const WallState state = other.at(foot.column, foot.row);
+      within += state != WallState::kOutside;
+      measured += state == WallState::kOn;
+    }
+  return share_of(within, all) >= kFilledShare && share_of(measured, all) >= kHidingShare;
+}
+
+// Two explanations of a hole: an opening, or another wall's place. One that nothing frames is filled by a wall behind
+// it; one that hardly anything was seen through lies behind a bay window, however well its border is seen.
+bool ends_at(const WallEvidence& wall, const OpeningCandidate& opening, const WallEvidence& other) {
+  if (opening.framed < kFramedShare &&
+      filled_share(wall.cells, opening.shape, other.cells) >= kFilledShare)
+    return true;
+  return opening.inside.share(WallState::kThrough) < kGlimpsedShare &&
+         is_hidden_by(wall.cells, opening.shape, other.cells);
+}
+
 void end_at_other_walls(std::vector<WallEvidence>& all, const std::vector<size_t>& order,
                         Task& task) {
   for (const size_t s : order) {
     if (!all[s].is_wall()) continue;
     for (OpeningCandidate& opening : all[s].openings) {
       task.checkpoint(0);
-      if (!opening.is_opening || opening.framed >= kFramedShare) continue;
+      if (!opening.is_opening) continue;
       for (const size_t w : order)
         if (w != s && all[w].is_wall() && all[w].has_framed_openings() &&
             dot(all[w].cells.frame.normal, all[s].cells.frame.normal) >= kSameWay &&
-            filled_share(all[s].cells, opening.shape, all[w].cells) >= kFilledShare)
+            ends_at(all[s], opening, all[w]))
           opening.is_opening = false, opening.ends_at_wall = true;
     }
   }

@@ -177,7 +177,8 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
   // 1. Facades and their walls.
   std::vector<WallClaim> claims;
   for (const WallEvidence& e : evidence)
-    claims.push_back({e.role != PlaneRole::kWall, e.is_recess, e.gross_m2, e.measured_m2});
+    claims.push_back({e.role != PlaneRole::kWall, e.is_recess, e.has_framed_openings(), e.gross_m2,
+                      e.measured_m2});
   for (FacadeGroup& group : group_facades(plan.planes, setting.group, claims))
     plan.facades.push_back({std::move(group), {}, {}});
   task.checkpoint(0.05);

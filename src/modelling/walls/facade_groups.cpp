@@ -103,6 +103,9 @@ struct Holes {
       boxes.emplace_back().add(polygons.back());
     }
   }
+  bool are_behind(const Vec3& p) const {
+    return dot(p - wall->frame.origin, wall->frame.normal) > wall->frame.height;
+  }
   bool hold(const Vec3& p) const {
     const Vec2 q = wall->frame.project(p);
     for (size_t k = 0; k < polygons.size(); ++k)
@@ -150,9 +153,11 @@ std::vector<FacadeGroup> group_walls(const std::vector<VectorPlane>& planes,
       const Box3 box = box_in(groups[g].frame, plane);
       if (!is_beside(groups[g], box, setting)) continue;
       taken = true;
-      const bool is_recess = !claims.empty() && claims[c.plane].is_recess;
-      if (!is_recess && std::any_of(holes[g].begin(), holes[g].end(),
-                                    [&](const Holes& h) { return fills_holes(plane, h); }))
+      const WallClaim claim = claims.empty() ? WallClaim{} : claims[c.plane];
+      const Vec3 place = plane.frame.lift(ring_box(plane.faces.front().outline).low);
+      if (!claim.is_recess && std::any_of(holes[g].begin(), holes[g].end(), [&](const Holes& h) {
+            return !(claim.is_windowed && h.are_behind(place)) && fills_holes(plane, h);
+          }))
         break;
       groups[g].walls.push_back(c.plane);
       groups[g].box += box;

@@ -40,6 +40,8 @@ struct FacadeFrame {
 struct WallClaim {
   bool is_none = false;    ///< a pane, a surround, a room's wall
   bool is_recess = false;  ///< a wall, although it lies in the openings of another: a loggia's
+  bool is_windowed =
+      false;  ///< it frames openings of its own: a bay window hides a wall, a parapet fills its bay
   double gross_m2 = 0;     ///< within its border, openings included; 0: nothing is known
   double measured_m2 = 0;  ///< of that
 };

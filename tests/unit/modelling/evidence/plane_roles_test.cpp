@@ -94,3 +94,20 @@ TEST_CASE("tell_roles__pilasters_before_all_piers_of_a_wall_are_its_relief") {
   CHECK(evidence[1].role == PlaneRole::kRelief);
   CHECK(openings_of(evidence[0]) == 8);
 }
+
+TEST_CASE("tell_roles__a_wall_ends_behind_a_bay_window_although_something_is_glimpsed_there") {
+  // Before a hole of the wall stands a bay with two windows; past its side the room's far end was seen.
+  std::vector<Vec3> wall = house(0, 0), bay, glimpsed;
+  add_layer(wall, 6, 0, 6, 6, 0);
+  cut(wall, 7, 0.8, 3.4, 3.6);
+  add_layer(bay, 7, 0.8, 3.4, 3.6, -0.9);
+  for (const double window : {7.4, 8.9}) cut(bay, window, 1.6, 1.1, 2);
+  add_layer(glimpsed, 7, 0.8, 1.6, 3.6, 6);
+  const auto evidence = evidence_of({wall, bay, glimpsed});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  CHECK(openings_of(evidence[0]) == 2);
+  CHECK(openings_of(evidence[1]) == 2);
+  // Without the bay it is an opening.
+  CHECK(openings_of(evidence_of({wall, glimpsed})[0]) == 3);
+}

@@ -78,8 +78,20 @@ TEST_CASE("facade_groups__a_wall_told_as_a_recess_stays_one_in_a_walls_hole") {
   VectorPlane front = wall_at({0, 0}, {10, 8}, 0);
   front.faces[0].openings.push_back(hole({2, 2}, {6, 6}));
   const std::vector<VectorPlane> planes{front, wall_at({2.1, 2.1}, {5.9, 5.9}, -1.4)};
-  std::vector<WallClaim> claims{{false, false, 80, 64}, {false, false, 14.4, 12}};
+  std::vector<WallClaim> claims{{false, false, true, 80, 64}, {false, false, false, 14.4, 12}};
   CHECK(group_facades(planes, {}, claims)[0].walls == std::vector<size_t>{0});
   claims[1].is_recess = true;
   CHECK(group_facades(planes, {}, claims)[0].walls == std::vector<size_t>{0, 1});
+}
+
+TEST_CASE("facade_groups__a_bay_window_before_a_walls_hole_is_a_wall_and_a_blank_parapet_is_none") {
+  VectorPlane front = wall_at({0, 0}, {10, 8}, 0);
+  front.faces[0].openings.push_back(hole({2, 2}, {6, 6}));
+  const std::vector<VectorPlane> planes{front, wall_at({2.1, 2.1}, {5.9, 5.9}, 0.9)},
+      behind{front, wall_at({2.1, 2.1}, {5.9, 5.9}, -0.9)};
+  std::vector<WallClaim> claims{{false, false, true, 80, 64}, {false, false, false, 14.4, 12}};
+  CHECK(group_facades(planes, {}, claims)[0].walls == std::vector<size_t>{0});
+  claims[1].is_windowed = true;
+  CHECK(group_facades(planes, {}, claims)[0].walls == std::vector<size_t>{0, 1});
+  CHECK(group_facades(behind, {}, claims)[0].walls == std::vector<size_t>{0});
 }
