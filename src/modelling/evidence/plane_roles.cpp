@@ -230,13 +230,30 @@ bool fills_openings(const WallEvidence& plane, const std::vector<const WallEvide
   return share_of(inside, on) >= kFillingShare;
 }
 
-std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all) {
+// Two explanations of a lattice a hand's breadth before a plane that has windows: a wall whose openings that plane
+// fills, or timbers on the wall that it is. The one of which more was measured holds.
+bool is_lattice_on(const WallEvidence& lattice, const WallEvidence& wall,
+                   const CellSetting& setting) {
+  if (!wall.is_wall() || !wall.has_framed_openings() || wall.measured_m2 <= lattice.measured_m2 ||
+      dot(wall.cells.frame.normal, lattice.cells.frame.normal) < kSameWay)
+    return false;
+  const Placement p = placement_of(lattice, wall);
+  return p.within >= kWithinShare && p.depth_m < -wall.cells.on_m / 2 &&
+         p.depth_m >= -setting.relief_m;
+}
+
+std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all,
+                                         const CellSetting& setting, Task& task) {
   std::vector<size_t> order;
   std::vector<double> explained(all.size(), 0);
   for (size_t s = 0; s < all.size(); ++s) {
     if (all[s].empty() || !all[s].is_wall()) continue;
+    task.checkpoint(0);
     order.push_back(s);
-    explained[s] = explained_m2(all[s]);
+    const bool is_lattice = std::any_of(all.begin(), all.end(), [&](const WallEvidence& wall) {
+      return &wall != &all[s] && is_lattice_on(all[s], wall, setting);
+    });
+    explained[s] = is_lattice ? all[s].measured_m2 : explained_m2(all[s]);
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return explained[a] > explained[b]; });
@@ -337,7 +354,7 @@ void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task
   // 1. Rooms.
   tell_rooms(all, task);
   // 2. Surrounds, panes and leaves.
-  const std::vector<size_t> order = by_what_they_explain(all);
+  const std::vector<size_t> order = by_what_they_explain(all, setting, task);
   std::vector<const WallEvidence*> walls;
   for (const size_t s : order) {
     WallEvidence& plane = all[s];

@@ -111,3 +111,29 @@ TEST_CASE("tell_roles__a_wall_ends_behind_a_bay_window_although_something_is_gli
   // Without the bay it is an opening.
   CHECK(openings_of(evidence_of({wall, glimpsed})[0]) == 3);
 }
+
+TEST_CASE("tell_roles__timbers_that_frame_panels_are_relief_of_the_wall_with_the_windows") {
+  // Posts and rails 4 cm proud, one panel about each window and two blank ones.
+  constexpr double kProud_m = 0.04, kBeam_m = 0.2;
+  std::vector<Vec3> wall = house(0, 0), timbers;
+  add_layer(timbers, 0, 0, 6, 6, -kProud_m);
+  for (const double left : {0.0, 3.0})
+    for (const double foot : {0.0, 3.0}) {
+      cut(timbers, left + kBeam_m, foot + kBeam_m, 3 - 2 * kBeam_m, 3 - 2 * kBeam_m);
+      cut(wall, left, foot, kBeam_m, 3);
+      cut(wall, left + 3 - kBeam_m, foot, kBeam_m, 3);
+      cut(wall, left, foot, 3, kBeam_m);
+      cut(wall, left, foot + 3 - kBeam_m, 3, kBeam_m);
+    }
+  const auto evidence = evidence_of({wall, timbers});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kRelief);
+  // Panels without windows fill the openings of a lattice.
+  std::vector<Vec3> panels;
+  for (const double left : {0.0, 3.0})
+    for (const double foot : {0.0, 3.0})
+      add_layer(panels, left + kBeam_m, foot + kBeam_m, 3 - 2 * kBeam_m, 3 - 2 * kBeam_m, 0);
+  const auto lattice = evidence_of({panels, timbers});
+  CHECK(lattice[0].role == PlaneRole::kFilling);
+  CHECK(lattice[1].role == PlaneRole::kWall);
+}
