@@ -273,8 +273,8 @@ double filled_share(const WallCells& cells, const OpeningShape& shape, const Wal
          (box.width() * box.height());
 }
 
-// Whether another wall stands before an opening, with windows of its own. What lies behind one opening of that wall alone
-// is seen through it: a loggia's window.
+// Whether another wall stands before an opening, with windows of its own. What lies behind one opening of that wall
+// alone is seen through it: a loggia's window.
 bool is_hidden_by(const WallCells& cells, const OpeningShape& shape, const WallCells& other) {
   const RingBox box = shape.box();
   size_t all = 0, within = 0, measured = 0;

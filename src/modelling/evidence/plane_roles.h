@@ -15,8 +15,11 @@ namespace jalon {
 /// 2. Surrounds, panes, leaves: of two planes near each other the one that explains more is the wall: what was measured
 ///    of it, and its openings as far as it frames them. So a lattice of posts comes before the panes in its bays, and
 ///    a wall before the surrounds of its windows, however far apart they stand.
+///    Timbers that frame panels count by what was measured of them alone where more was of a wall with windows close
+///    behind them.
 /// 3. What was taken for an opening but is not framed, and another wall with openings of its own fills it: there the
-///    one wall ends and the other begins (a house that stands back by a hand's breadth).
+///    one wall ends and the other begins (a house that stands back by a hand's breadth). So it does where hardly
+///    anything was seen through, and such a wall stands before it: a bay window.
 ///
 /// Before: cells, openings and areas; after: role, and is_opening of step 3. The same bits for any number of threads.
 /// O(planes^2) looks at up to 20 000 cells each.
