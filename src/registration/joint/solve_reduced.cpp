@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 #include "registration/joint/joint_problem.h"
+#include "registration/joint/sparse_inverse.h"
 
 namespace jalon {
 
@@ -102,6 +103,7 @@ class ReducedSolver {
     for (const FacadeStrips& f : facades_) offsets_of(f, x, made);
     place(x, made);
     if (wanted == JointWanted::kValues) return made;
+    inverse_.emplace(factor_);
     const Eigen::VectorXd variances = variances_of(wanted, made);
     place_sigmas(variances, made);
     for (const FacadeStrips& f : facades_) sigmas_of(f, made);
@@ -152,14 +154,15 @@ class ReducedSolver {
     }
   }
 
-  Eigen::VectorXd dense_of(const std::vector<RowElement>& row) const {
-    Eigen::VectorXd v = Eigen::VectorXd::Zero(static_cast<Index>(at_.size()));
-    for (const RowElement& e : row) v[e.column] += e.value;
-    return v;
-  }
+  // Two unknowns of one facade have an element in the normal equations, and so in this inverse.
   double variance_along(const std::vector<RowElement>& row) const {
-    const Eigen::VectorXd v = dense_of(row);
-    return v.dot(factor_.solve(v));
+    double sum = 0;
+    for (const RowElement& a : row) {
+      sum += a.value * a.value * inverse_->at(a.column, a.column);
+      for (const RowElement& b : row)
+        if (b.column < a.column) sum += 2 * a.value * b.value * inverse_->at(a.column, b.column);
+    }
+    return sum;
   }
 
   // Back from trajectory and blocks to the facade and its strips: given these, the offsets follow from
@@ -210,12 +213,10 @@ class ReducedSolver {
 
   Eigen::VectorXd variances_of(JointWanted wanted, JointSolution& made) const {
     const auto n = static_cast<Index>(at_.size());
-    if (wanted == JointWanted::kCovariance) {
+    if (wanted == JointWanted::kCovariance)
       made.covariance = factor_.solve(Eigen::MatrixXd::Identity(n, n));
-      return made.covariance.diagonal();
-    }
     Eigen::VectorXd variances(n);
-    for (Index i = 0; i < n; ++i) variances[i] = factor_.solve(Eigen::VectorXd::Unit(n, i))[i];
+    for (Index i = 0; i < n; ++i) variances[i] = inverse_->at(i, i);
     return variances;
   }
 
@@ -239,7 +240,8 @@ class ReducedSolver {
   JointOrder at_;
   std::vector<FacadeStrips> facades_;
   std::vector<std::vector<RowElement>> rows_;
-  Eigen::SimplicialLDLT<SparseMatrix> factor_;
+  SparseInverse::Factor factor_;
+  std::optional<SparseInverse> inverse_;  ///< where sigmas are wanted
   Eigen::VectorXd right_side_;
   double distances_square_ = 0;  ///< h^T V^-1 h
 };
