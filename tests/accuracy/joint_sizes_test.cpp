@@ -3,6 +3,8 @@
 #include <doctest/doctest.h>
 #include <sys/resource.h>
 
+#include <cmath>
+#include <cstdlib>
 #include <ctime>
 
 #include "base/random.h"

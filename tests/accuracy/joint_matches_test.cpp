@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <string>
+
+#include "accuracy/joint_drives.h"
+
+// Matches by rays against perfect ones: a closed street with roofs, ground, and things 5 m high before the houses that
+// the model lacks, 5 mm of noise; one setting, the default, for all five scenarios. Developed with seeds from 9001 on;
+// reported: 9101 to 9150. JALON_JOINT_SEEDS=first-last: others.
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+SeedRange seeds() {
+  const bool full = std::getenv("JALON_FULL") != nullptr;
+  return seeds_asked_for("JALON_JOINT_SEEDS")
+      .value_or(full ? SeedRange{9101, 9150} : SeedRange{9001, 9001});
+}
+
+// Shares of the kerbs that make 10 and 30 in 100 of the points whose rays are cast.
+constexpr double kTenth = 0.22, kThird = 0.62;
+
+struct Matched {
+  Left rays, perfect, literal;
+  double clutter = 0, wrong = 0, wrong_facades = 0, draws = 0, good = 0, converged = 0;
+
+  void draw(const DriveKind& kind, bool with_literal) {
+    Task task;
+    const DriveScenario made = driven(kind, task);
+    JointSettings by_rays = settings_of(kind.sigmas), by_ids = by_rays, plain = by_rays;
+    by_ids.matches = JointSettings::Matches::kIds;
+    plain.kernel = JointSettings::Kernel::kNone, plain.least_points = 1, plain.sigma_point_m = 0;
+    const auto adjusted = [&](const JointSettings& by) {
+      return adjust_jointly(made.model, made.cloud, made.trajectory, by, task);
+    };
+    const JointAdjustment a = adjusted(by_rays);
+    const Left one = left_of(a, made), one_perfect = left_of(adjusted(by_ids), made);
+    rays.add(one), perfect.add(one_perfect);
+    if (with_literal) literal.add(left_of(adjusted(plain), made));
+    bool is_good = true;
+    for (size_t g = 0; g < kLeftGroups; ++g) is_good &= one.rms(g) <= 1.5 * one_perfect.rms(g);
+    draws += 1, good += is_good ? 1 : 0, converged += a.converged ? 1 : 0;
+    clutter += clutter_of(a), wrong += a.wrong_share, wrong_facades += a.wrong_facade_share;
+  }
+  double ratio(size_t g) const { return rays.rms(g) / perfect.rms(g); }
+
+  void tell(const std::string& what, bool with_literal) const {
+    std::string text;
+    for (size_t g = 0; g < kLeftGroups; ++g) {
+      text += std::string(g > 0 ? ", " : "") + kLeftNames[g] + " " + std::to_string(ratio(g)) +
+              " of " + std::to_string(perfect.rms(g)) + " m";
+      if (with_literal)
+        text += " (literal " + std::to_string(literal.rms(g) / perfect.rms(g)) + ")";
+    }
+    MESSAGE("FIGURE joint matches, ", what, ", ", draws,
+            " draws: RMS over that of perfect matches: ", text, "; clutter ", clutter / draws,
+            ", wrong strips ", wrong / draws, ", wrong facades ", wrong_facades / draws,
+            ", converged ", converged, ", all groups within 1.5 in ", good);
+  }
+};
+
+Matched over_draws(size_t scenario, double covered, bool with_literal) {
+  Matched made;
+  for (uint64_t seed = seeds().first; seed <= seeds().last; ++seed) {
+    DriveKind kind;
+    kind.sigmas = kScenarioSigmas[scenario], kind.seed = seed, kind.covered = covered;
+    made.draw(kind, with_literal);
+  }
+  return made;
+}
+
+// What is not reached is told and not asserted: a block that is off by metres along its street, with a tenth of the
+// points on things before it, may settle beside its place (scenario 2); a strip that may stand 2 m before its wall
+// follows the thing that stands there (scenario 4).
+bool is_reached(size_t scenario, size_t group) {
+  return !(scenario == 1 && group == kOfBlocks) && !(scenario == 3 && group == kOfStrips);
+}
+
+}  // namespace
+
+TEST_CASE("joint_matches__by_rays__come_near_to_perfect_ones_in_five_scenarios") {
+  for (size_t scenario = 0; scenario < kScenarioSigmas.size(); ++scenario) {
+    CAPTURE(scenario + 1);
+    const Matched made = over_draws(scenario, kTenth, true);
+    made.tell("scenario " + std::to_string(scenario + 1), true);
+    CHECK(made.clutter >= 0.1 * made.draws);
+    for (size_t g = 0; g < kLeftGroups; ++g)
+      if (is_reached(scenario, g)) CHECK(made.ratio(g) <= 1.5);
+  }
+}
+
+// 1.5 times perfect matches is not reached: printed.
+TEST_CASE("joint_matches__with_30_percent_clutter__still_bring_facades_nearer") {
+  const Matched made = over_draws(4, kThird, false);
+  made.tell("30 % clutter, scenario 5", false);
+  CHECK(made.clutter >= 0.3 * made.draws);
+  CHECK(made.rays.rms(kOfFacades) < 2 * made.perfect.rms(kOfFacades));
+}
