@@ -7,6 +7,7 @@
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/outputs/json_csv.h"
+#include "cli/outputs/target_list.h"
 #include "cli/text_file.h"
 
 namespace jalon::cli {
@@ -17,7 +18,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kModelFiles[] = {"model.dxf", "model.city.json", "model.geojson"};
 
-constexpr size_t kMostListed = 20;  // objects on the screen; all of them stand in objects.csv
+constexpr size_t kMostListed =
+    20;  // objects or targets on the screen; all of them stand in the CSV file
 
 std::string words(const Json& list) {
   std::string out;
@@ -195,7 +197,96 @@ struct Code {
   }
 };
 
+struct TargetsJob {
+  Common common;
+  Input input;
+  Settings settings;
+  std::string catalogue, output;
+
+  void run() const {
+    Console console(common);
+    check_output_folder(output);
+    const Params params = make_params("target");
+    settings.apply(params.get());
+    const std::string text = read_text_file(catalogue);
+    must(jalon_params_set_string(params.get(), "catalogue", text.c_str()));
+    console.step("reading");
+    const Cloud cloud = input.read(console);
+    console.step("targets");
+    Fields fields;
+    must(jalon_cloud_measure_targets(cloud.get(), nullptr, 0, params.get(), console.task(),
+                                     Out(fields)));
+    const Table table(std::move(fields));
+    if (table.rows() == 0)
+      throw Failure{JALON_ERROR_INSUFFICIENT_DATA,
+                    input.path + ": no target of these kinds and sizes shows in the intensities"};
+    const Json rows = target_rows_of(table, Json::parse(text));
+    Json counts{{"known", 0}, {"ambiguous", 0}, {"foreign", 0}, {"uncertain", 0}};
+    for (const Json& row : rows) {
+      Json& count = counts[row["verdict"].get<std::string>()];
+      count = count.get<int>() + 1;
+    }
+    const Json result{{"input", input.path},
+                      {"catalogue", catalogue},
+                      {"output", output},
+                      {"counts", counts},
+                      {"targets", rows}};
+    OutputFolder folder(output);
+    write_text_file(folder.path("targets.csv"), csv_of(rows));
+    write_text_file(folder.path("targets.txt"), target_code_lines(rows));
+    write_text_file(folder.path("targets.json"),
+                    result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
+    folder.commit();
+    for (size_t i = 0; i < std::min<size_t>(rows.size(), kMostListed); ++i)
+      console.say(target_line(rows[i]));
+    if (rows.size() > kMostListed)
+      console.say("... " + grouped(rows.size()) + " targets in targets.csv");
+    console.say(counts["known"].dump() + " with a code, " + counts["ambiguous"].dump() +
+                " ambiguous, " + counts["foreign"].dump() + " in no entry, " +
+                counts["uncertain"].dump() + " uncertain");
+    console.say("wrote " + output + ": targets.txt, targets.csv, targets.json");
+    console.result(result);
+  }
+};
+
 }  // namespace
+
+void add_targets(Command& app) {
+  Command command = app.subcommand(
+      "targets", "Flat targets of a whole scan by their brightness, with the codes of their kinds");
+  auto state = std::make_shared<TargetsJob>();
+  state->input.add_to(command);
+  command
+      .option("catalogue", state->catalogue,
+              "Targets that were put up (JSON): kind, size and code of each")
+      .required()
+      .type_name("CATALOGUE");
+  command.option("-o,--output", state->output, "Folder for the results")
+      .required()
+      .type_name("DIR");
+  state->settings.add_to(command);
+  add_common(command, state->common);
+  command.footer([] {
+    return "Parameters of --set:\n" + describe(make_params("target").get()) +
+           R"(
+The catalogue names what was put up, e.g. checkers (four quadrants; size: the edge) and discs (size: the
+diameter):
+  {"targets": [{"code": "1", "name": "wall", "kind": "checker", "size_m": 0.15},
+               {"code": "2", "name": "door", "kind": "checker", "size_m": 0.10},
+               {"code": "3", "name": "window", "kind": "disc", "size_m": 0.10}]}
+
+targets.txt has those with a code as ID;X;Y;Z;code, facade by facade, for jalon code --method targets.
+targets.csv has all: centre with its standard deviations, kind, size, confidence. No code stands where two
+entries or readings fit (ambiguous), where none does (foreign), or below the confidence asked for
+(uncertain). The scan needs intensities.
+
+Examples:
+  jalon targets scan.las catalogue.json -o found
+  jalon targets scan.las catalogue.json -o found --set confidence=0.97
+  jalon code scan.las found/targets.txt -o result --method targets)";
+  });
+  command.on_run([state] { state->run(); });
+}
 
 void add_code(Command& app) {
   Command command =

@@ -93,12 +93,9 @@ inline TargetWall any_wall(const WallKind& kind, uint64_t seed) {
                  disc_sheet(2.1 + off(), high + off(), 0.16)};
   for (Sheet& s : wall.sheets) s.lift_m = kind.lift_m;
   const double size = 0.09 + 0.07 * random.uniform();
-  const std::vector<Sheet> others{poster(2.6, low, random),
-                                  poster(2.6, high, random),
-                                  tiles(3.1, low, size),
-                                  window(3.1, high),
-                                  dark_square(3.55, low, size),
-                                  triangle_sign(3.6, high),
+  const std::vector<Sheet> others{poster(2.6, low, random),       poster(2.6, high, random),
+                                  tiles(3.1, low, size),          window(3.1, high),
+                                  dark_square(3.55, low, size),   triangle_sign(3.6, high),
                                   stripes(3.75, 1.05, 0.3 * size)};
   wall.sheets.insert(wall.sheets.end(), others.begin(), others.end());
   return wall;

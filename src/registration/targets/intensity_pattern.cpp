@@ -24,7 +24,7 @@ constexpr double kCheckerShare =
 constexpr double kDiscShare =
     0.8;  // radius around a disc, of its diameter: so much of the ground shows its edge
 constexpr double kGapShare = 0.01;  // of the points may lie in a gap: those that noise put there
-constexpr int kRefits = 3;  // the window moves with the centre
+constexpr int kRefits = 3;          // the window moves with the centre
 constexpr int kMostSteps = 60;
 constexpr double kSettled = 1e-6;  // of what an edge notices: a step below it ends the fit
 

@@ -71,7 +71,8 @@ constexpr auto kTargetRows = setting_rows(
     string_row<&MeasuringSettings::catalogue>(
         "catalogue", "",
         "Targets that were put up, as JSON: {\"targets\": [{\"code\": \"1\", \"kind\": "
-        "\"checker\", \"size_m\": 0.15}, ...]}, kind checker or disc, optionally a \"name\" each, and "
+        "\"checker\", \"size_m\": 0.15}, ...]}, kind checker or disc, optionally a \"name\" each, "
+        "and "
         "\"size_sigma_m\" of all (0.001). With it no place is given: the whole cloud is searched."),
     number_row<&MeasuringSettings::confidence>(
         "confidence", 0.5, 0.999, "1", "",

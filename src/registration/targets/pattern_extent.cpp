@@ -16,22 +16,22 @@ namespace jalon {
 
 namespace {
 
-constexpr double kPhaseShare = 0.45;   // radius, of the inner edge: what the quadrants surely fill
+constexpr double kPhaseShare = 0.45;  // radius, of the inner edge: what the quadrants surely fill
 // Ground that is looked at, beyond the half-edge or radius: this share of it, or so many spacings. A sheet has little
 // of it around its pattern.
 constexpr double kGroundShare = 0.15, kGroundSpacings = 1.5;
-constexpr double kMostSigned = 1.5;    // a ground brighter than white counts no more than this
+constexpr double kMostSigned = 1.5;  // a ground brighter than white counts no more than this
 constexpr size_t kLeastExtentPoints = 24;
 constexpr size_t kLeastGroundPoints = 8;
-constexpr double kNearLine = 0.75;      // spacings: closer to a line a point sees both sides
+constexpr double kNearLine = 0.75;          // spacings: closer to a line a point sees both sides
 constexpr double kMadToDeviation = 1.4826;  // median of |x| of the standard normal, inverted
-constexpr double kUnevenQuadrants = 0.25;  // of the contrast: those of a print are alike
-constexpr double kUnevenGround = 0.35;     // of the contrast, scatter of what is around a target
-constexpr double kNextShare = 1.5;  // of the half-edge: so far a next tile is looked for
-constexpr double kNextTile = 0.5;  // mean signed brightness: -1 of a next tile, 0 of a ground
+constexpr double kUnevenQuadrants = 0.25;   // of the contrast: those of a print are alike
+constexpr double kUnevenGround = 0.35;      // of the contrast, scatter of what is around a target
+constexpr double kNextShare = 1.5;          // of the half-edge: so far a next tile is looked for
+constexpr double kNextTile = 0.5;   // mean signed brightness: -1 of a next tile, 0 of a ground
 constexpr double kLeastBeyond = 3;  // points of half a side
-constexpr int kSectors = 8;  // around a disc; one may be hidden
-constexpr double kNoiseCell = 2;        // spacings: cells of some four points
+constexpr int kSectors = 8;         // around a disc; one may be hidden
+constexpr double kNoiseCell = 2;    // spacings: cells of some four points
 constexpr size_t kLeastDifferences = 8;
 constexpr int kExtentSteps = 60;
 constexpr double kSmallExtent = 1e-6;  // of what an edge notices
@@ -128,8 +128,7 @@ double border_of(const std::vector<BrightPoint>& list, const Quadrants& q, doubl
   double sum = 0, best = 0, at = 0;
   for (const BrightPoint& p : list) {
     if (p.u > most_m) break;
-    const double w =
-        std::clamp(p.v * (p.value - q.level) / q.contrast, -kMostSigned, kMostSigned);
+    const double w = std::clamp(p.v * (p.value - q.level) / q.contrast, -kMostSigned, kMostSigned);
     sum += 2 * w - 1;
     if (sum > best) best = sum, at = p.u;
   }
@@ -167,9 +166,7 @@ double misfit_of(const std::vector<double>& residuals, double noise, double vari
   double squares = 0;
   for (const double r : residuals) squares += r * r;
   const double mean = squares / std::max(1.0, static_cast<double>(residuals.size()));
-  return residuals.empty() || !(variance > 0)
-             ? 1
-             : std::max(0.0, mean - noise * noise) / variance;
+  return residuals.empty() || !(variance > 0) ? 1 : std::max(0.0, mean - noise * noise) / variance;
 }
 
 double variance_of(std::span<const BrightPoint> points) {
@@ -180,8 +177,8 @@ double variance_of(std::span<const BrightPoint> points) {
   return sum;
 }
 
-// A part of a larger pattern: beyond a side dark follows bright and bright dark, or both go on. What a target sticks on
-// is about the same beyond all halves of its sides.
+// A part of a larger pattern: beyond a side dark follows bright and bright dark, or both go on. What a
+// target sticks on is about the same beyond all halves of its sides.
 bool goes_on(std::span<const BrightPoint> points, const Quadrants& q, double half_m,
              double spacing_m) {
   struct Half {
@@ -215,8 +212,8 @@ bool goes_on(std::span<const BrightPoint> points, const Quadrants& q, double hal
   return std::sqrt(std::max(0.0, variance)) > 2 * kUnevenGround;
 }
 
-// Of a sheet with nothing around it, from its extents along both axes: scan lines along a side end up to a spacing short
-// of it, others hardly.
+// Of a sheet with nothing around it, from its extents along both axes: scan lines along a side end up to a
+// spacing short of it, others hardly.
 double half_of_sheet(std::span<const BrightPoint> points, const Quadrants& q, double last_m,
                      double spacing_m) {
   const double c = std::cos(q.turn_rad), s = std::sin(q.turn_rad);
@@ -231,9 +228,8 @@ double half_of_sheet(std::span<const BrightPoint> points, const Quadrants& q, do
 }
 
 size_t count_between(const std::vector<BrightPoint>& list, double from, double to) {
-  return static_cast<size_t>(std::count_if(list.begin(), list.end(), [&](const BrightPoint& p) {
-    return p.u > from && p.u <= to;
-  }));
+  return static_cast<size_t>(std::count_if(
+      list.begin(), list.end(), [&](const BrightPoint& p) { return p.u > from && p.u <= to; }));
 }
 
 std::vector<BrightPoint> nearer_than(const std::vector<BrightPoint>& list, double most) {
@@ -322,7 +318,8 @@ std::optional<PatternExtent> disc_extent(std::span<const BrightPoint> points, do
     ++n, t += s, v += p.value, tt += s * s, tv += s * p.value, ground += r > radius;
   }
   const double spread = tt - t * t / n;
-  if (!is_surrounded(near, radius) || !(spread > 0) || ground < kLeastGroundPoints) return std::nullopt;
+  if (!is_surrounded(near, radius) || !(spread > 0) || ground < kLeastGroundPoints)
+    return std::nullopt;
   const double b = (tv - t * v / n) / spread, a = (v - b * t) / n;
   std::vector<double> residuals;
   for (const size_t i : clear) residuals.push_back(a + b * shape[i] - near[i].value);

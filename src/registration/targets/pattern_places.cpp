@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 #include "base/parallel.h"
 #include "geometry/plane.h"
@@ -20,6 +21,9 @@ constexpr double kDiscReach = 0.75;     // of a disc's diameter: half as much ag
 // So much is left of a noisy pattern half a step beside its centre; of a disc also when it is larger than looked for.
 constexpr double kLeastCheckerLikeness = 0.3, kLeastDiscLikeness = 0.25;
 constexpr size_t kMostSpots = 400;  // looked at of a place: they tell whether it is worth measuring
+constexpr int kCoarser = 2;         // levels: a coarse cell is about a pattern's size
+constexpr double kLeastOfCell = 4;  // points whose scatter tells of noise
+constexpr double kLeastContrast = 2;  // noises: less is not looked at
 constexpr size_t kCellsAtOnce = 64;
 constexpr double kApart = 0.5;  // of a size: nearer places are of one pattern
 
@@ -32,7 +36,8 @@ struct Spot {
   }
 };
 
-// Squared correlation of the brightness with the sign of cos(2 angle - turn), at the turn of the second harmonic.
+// Squared correlation of the brightness with the sign of cos(2 angle - turn), at the turn of the
+// second harmonic.
 double checker_likeness(const std::vector<Spot>& spots, double mean, double squares) {
   std::complex<double> sum = 0;
   for (const Spot& s : spots) sum += (s.value - mean) * s.doubled();
@@ -69,19 +74,21 @@ class Looking {
 
   double likeness_at(const Vec3& place, std::vector<Neighbour>& near,
                      std::vector<Spot>& spots) const {
-    tree_.radius(place, (kind_ == TargetKind::kChecker ? kCheckerReach : kDiscReach) * size_m_,
-                 near);
+    tree_.radius_positions(
+        place, (kind_ == TargetKind::kChecker ? kCheckerReach : kDiscReach) * size_m_, near);
     if (near.size() < min_points_) return 0;
     const size_t stride = near.size() / kMostSpots + 1;
     Moments moments;
     moments.reference = place;
-    for (size_t i = 0; i < near.size(); i += stride) moments.add(cloud_.point(near[i].index));
+    const auto order = tree_.order();
+    for (size_t i = 0; i < near.size(); i += stride)
+      moments.add(cloud_.point(order[near[i].index]));
     PlaneFit fit;
     if (!fit_plane(moments, fit)) return 0;
     spots.clear();
     double mean = 0, squares = 0;
     for (size_t i = 0; i < near.size(); i += stride) {
-      const uint32_t index = near[i].index;
+      const uint32_t index = order[near[i].index];
       const Vec3 d = cloud_.point(index) - place;
       const double value = intensity_.number(index), off = fit.plane.distance(place + d);
       if (std::fabs(off) > tolerance_m_ || !std::isfinite(value)) continue;
@@ -111,11 +118,68 @@ int level_of(const Cube& cube, double edge_m) {
   return level;
 }
 
+// Which coarse cells have, with those around them, cells of clearly different brightness: most of a wall has not.
+// A cell of one point tells nothing of noise; where all are, all are looked at.
+class Contrasts {
+ public:
+  Contrasts(const Octree& tree, const std::vector<Octree::Cell>& cells, int level,
+            const Column& intensity, Task& task)
+      : coarse_(tree.cells(std::max(0, level - kCoarser), task)),
+        shift_(3 * std::min(level, kCoarser)) {
+    std::vector<double> means(cells.size()), noises;
+    for (size_t i = 0; i < cells.size(); ++i) {
+      double n = 0, sum = 0, squares = 0;
+      for (const uint32_t index : tree.order().subspan(cells[i].first, cells[i].count)) {
+        const double value = intensity.number(index);
+        if (!std::isfinite(value)) continue;
+        ++n, sum += value, squares += value * value;
+      }
+      means[i] = n > 0 ? sum / n : NAN;
+      if (n >= kLeastOfCell)
+        noises.push_back(std::sqrt(std::max(0.0, squares / n - means[i] * means[i]) * n / (n - 1)));
+    }
+    std::vector<std::pair<double, double>> range(coarse_.size(), {INFINITY, -INFINITY});
+    for (size_t i = 0; i < cells.size(); ++i) {
+      auto& [low, high] = range[place_of(cells[i])];
+      low = std::min(low, means[i]), high = std::max(high, means[i]);
+    }
+    double least = 0;
+    if (!noises.empty()) {
+      const auto middle = noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2);
+      std::nth_element(noises.begin(), middle, noises.end());
+      least = kLeastContrast * *middle;
+    }
+    for (size_t i = 0; i < coarse_.size(); ++i) {
+      auto [low, high] = range[i];
+      for (const uint64_t code :
+           tree.neighbour_cells(std::max(0, level - kCoarser), coarse_[i].code, 1)) {
+        const auto& [other_low, other_high] = range[index_of(code)];
+        low = std::min(low, other_low), high = std::max(high, other_high);
+      }
+      has_contrast_.push_back(high - low > least);
+    }
+  }
+
+  bool around(const Octree::Cell& cell) const { return has_contrast_[place_of(cell)]; }
+
+ private:
+  size_t index_of(uint64_t code) const {
+    const auto at = std::lower_bound(coarse_.begin(), coarse_.end(), code,
+                                     [](const Octree::Cell& c, uint64_t v) { return c.code < v; });
+    return static_cast<size_t>(at - coarse_.begin());
+  }
+  size_t place_of(const Octree::Cell& cell) const { return index_of(cell.code >> shift_); }
+
+  std::vector<Octree::Cell> coarse_;
+  int shift_;
+  std::vector<bool> has_contrast_;
+};
+
 // The most alike of places that are near each other. Ties by the order of the tree.
 std::vector<PatternPlace> best_of(std::vector<PatternPlace> places) {
-  std::stable_sort(
-      places.begin(), places.end(),
-      [](const PatternPlace& a, const PatternPlace& b) { return a.likeness > b.likeness; });
+  std::stable_sort(places.begin(), places.end(), [](const PatternPlace& a, const PatternPlace& b) {
+    return a.likeness > b.likeness;
+  });
   if (places.empty()) return places;
   Buffer<double> xyz(3 * places.size());
   Box3 box;
@@ -142,7 +206,10 @@ std::vector<PatternPlace> best_of(std::vector<PatternPlace> places) {
 std::vector<PatternPlace> pattern_places(const Cloud& cloud, const Octree& tree,
                                          const Column& intensity, TargetKind kind, double size_m,
                                          double tolerance_m, uint64_t min_points, Task& task) {
-  const auto cells = tree.cells(level_of(tree.cube(), size_m / kSearchSteps), task);
+  const int level = level_of(tree.cube(), size_m / kSearchSteps);
+  auto cells = tree.cells(level, task);
+  const Contrasts contrasts(tree, cells, level, intensity, task);
+  std::erase_if(cells, [&](const Octree::Cell& c) { return !contrasts.around(c); });
   const Looking looking(cloud, tree, intensity, kind, size_m, tolerance_m, min_points);
   std::vector<PatternPlace> all(cells.size());
   parallel_for(task, cells.size(), kCellsAtOnce, [&](size_t begin, size_t end) {
@@ -157,8 +224,7 @@ std::vector<PatternPlace> pattern_places(const Cloud& cloud, const Octree& tree,
       all[i] = {place, kind, size_m, looking.likeness_at(place, near, spots)};
     }
   });
-  const double least =
-      kind == TargetKind::kChecker ? kLeastCheckerLikeness : kLeastDiscLikeness;
+  const double least = kind == TargetKind::kChecker ? kLeastCheckerLikeness : kLeastDiscLikeness;
   std::erase_if(all, [&](const PatternPlace& p) { return p.likeness < least; });
   return best_of(std::move(all));
 }

@@ -14,7 +14,7 @@ namespace jalon {
 struct PatternPlace {
   Vec3 place;
   TargetKind kind = TargetKind::kChecker;
-  double size_m = 0;   ///< the one it was looked for
+  double size_m = 0;    ///< the one it was looked for
   double likeness = 0;  ///< squared correlation of the brightness with the pattern: 0 ... 1
 };
 

@@ -23,15 +23,16 @@ namespace {
 constexpr double kPlaceReach = 0.25;  // of a size: the centre is so near to where it was looked for
 // Of a size, radius of what is measured: a checker's quadrants; a disc and enough of its ground.
 constexpr double kWithinChecker = 0.5, kWithinDisc = 0.8;
-constexpr double kAround = 0.75;      // of the largest size: radius of what the border is sought in
-constexpr double kLargest = 1.5;      // of the catalogue's largest: beyond, a border is no target's
-constexpr double kSmallest = 0.6;     // of the smallest
+constexpr double kAround = 0.75;   // of the largest size: radius of what the border is sought in
+constexpr double kLargest = 1.5;   // of the catalogue's largest: beyond, a border is no target's
+constexpr double kSmallest = 0.6;  // of the smallest
 // Sigmas of the plane, and of the tolerance at least this share: what lies so far behind is not beside the sheet, and
 // seen askew it seems to lie within it.
 constexpr double kGroundSigmas = 3, kGroundTolerance = 0.5;
-constexpr double kAskew = 0.3;  // of the depth of what is around: so much a border may be off, seen askew
+constexpr double kAskew =
+    0.3;  // of the depth of what is around: so much a border may be off, seen askew
 constexpr double kSameDirection = 0.95, kSameFacade_m = 0.3;  // cosine; depth of reveals
-constexpr double kSamePlace = 0.6;    // of a size: nearer centres are readings of one pattern
+constexpr double kSamePlace = 0.6;  // of a size: nearer centres are readings of one pattern
 // Readings whose confidences differ by less than this factor stand for each other.
 constexpr double kAlikeReadings = 0.5;
 
@@ -41,12 +42,12 @@ struct MisfitChance {
   double even, scale;
 };
 constexpr MisfitChance kCheckerChance{0.11, 0.015}, kDiscChance{0.035, 0.005};
-constexpr double kVagueSize = 0.1;  // of the size, its sigma: more is no border
+constexpr double kVagueSize = 0.1;     // of the size, its sigma: more is no border
 constexpr double kLeastPattern = 0.5;  // less likely ones are no targets and not listed
 
 // Of a target of another size than all entries: this share, spread over one power of e of sizes.
 constexpr double kForeignShare = 0.05;
-constexpr double kEntryFits = 4;  // sigmas: further from all of them a size is in no entry
+constexpr double kEntryFits = 4;    // sigmas: further from all of them a size is in no entry
 constexpr double kAlsoFits = 0.02;  // chance from which a second entry is named
 
 double chance_of_pattern(TargetKind kind, double misfit) {
@@ -65,7 +66,8 @@ std::optional<PatternExtent> extent_of(const Cloud& cloud, const Octree& tree,
   const Vec3 normal = target.measured.normal;
   const Vec3 away = std::fabs(normal.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
   const Vec3 u = normalized(cross(away, normal)), v = cross(normal, u);
-  const double depth = std::max(kGroundSigmas * target.measured.sigma_m, kGroundTolerance * tolerance_m);
+  const double depth =
+      std::max(kGroundSigmas * target.measured.sigma_m, kGroundTolerance * tolerance_m);
   std::vector<BrightPoint> points;
   for (size_t i = 0; i < near.points.size(); ++i) {
     const Vec3 d = near.points[i] - target.measured.centre;
@@ -101,7 +103,8 @@ std::optional<RecognisedTarget> read_at(const Cloud& cloud, const Octree& tree,
         extent->sigma_m > kVagueSize * extent->size_m)
       return std::nullopt;
     size = out.size_m = extent->size_m;
-    out.size_sigma_m = std::hypot(extent->sigma_m, is_checker ? kAskew * setting.tolerance_m / 2 : 0);
+    out.size_sigma_m =
+        std::hypot(extent->sigma_m, is_checker ? kAskew * setting.tolerance_m / 2 : 0);
     out.misfit = extent->misfit;
     out.contrast_to_noise = extent->contrast_to_noise;
     out.place += out.measured.centre;
@@ -115,9 +118,10 @@ void require_brightness(const Cloud& cloud, const Column& intensity, const std::
   const double first = cloud.size() > 0 ? intensity.number(0) : 0;
   for (size_t i = 1; i < cloud.size(); ++i)
     if (intensity.number(i) != first) return;
-  fail(Status::kInsufficientData,
-       "field \"%s\" is %g everywhere: no pattern shows; targets need a scan with intensities",
-       name.c_str(), first);
+  fail(
+      Status::kInsufficientData,
+      "field \"%s\" is the same everywhere: no pattern shows; targets need a scan with intensities",
+      name.c_str());
 }
 
 // Readings of the same pattern: the likelier stands; another kind that is about as likely makes it ambiguous.
@@ -186,8 +190,7 @@ void judge(const TargetCatalogue& catalogue, double least_confidence, Recognised
   else if (has_two_readings) target.verdict = TargetVerdict::kAmbiguous;
   else if (fits.empty()) target.verdict = TargetVerdict::kForeign;
   else if (target.confidence >= least_confidence) target.verdict = TargetVerdict::kKnown;
-  else
-    target.verdict = target.second >= 0 ? TargetVerdict::kAmbiguous : TargetVerdict::kUncertain;
+  else target.verdict = target.second >= 0 ? TargetVerdict::kAmbiguous : TargetVerdict::kUncertain;
 }
 
 std::vector<RecognisedTarget> recognised_targets(const Cloud& cloud,
@@ -231,12 +234,11 @@ std::vector<RecognisedTarget> recognised_targets(const Cloud& cloud,
 }
 
 FieldTable recognise_targets(const Cloud& cloud, const MeasuringSettings& settings, Task& task) {
-  const auto found = recognised_targets(cloud, target_catalogue_from_json(settings.catalogue),
-                                        settings, task);
+  const auto found =
+      recognised_targets(cloud, target_catalogue_from_json(settings.catalogue), settings, task);
   std::vector<MeasuredTarget> measured;
   std::vector<Vec3> places;
-  for (const RecognisedTarget& t : found)
-    measured.push_back(t.measured), places.push_back(t.place);
+  for (const RecognisedTarget& t : found) measured.push_back(t.measured), places.push_back(t.place);
   FieldTable table = measured_table(measured, places);
   using Row = const RecognisedTarget&;
   add_column<double>(table, found, "size", "m", "edge of a checker, diameter of a disc",

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/json_reader.h"
+#include "base/text_number.h"
 
 namespace jalon {
 
@@ -17,8 +18,8 @@ double length_member(const JsonValue& object, const char* what, double least_m, 
   const JsonValue* value = find_member(object, what);
   if (value == nullptr || !value->is_number() ||
       !(value->number >= least_m && value->number <= most_m))
-    fail(Status::kFormat, "target catalogue: \"%s\" is a length from %g to %g m", what, least_m,
-         most_m);
+    fail(Status::kFormat, "target catalogue: \"%s\" is a length from %s to %s m", what,
+         text_of(least_m).c_str(), text_of(most_m).c_str());
   return value->number;
 }
 

@@ -30,7 +30,7 @@ struct TargetWall {
   double distance_m = 6, oblique_rad = 0;
   double spacing_m = 0.005;  ///< of the points on a wall that faces the scanner, at the distance
   double range_noise_m = 0.0015, brightness_noise = 0.06;
-  double spot_m = 0.003;   ///< diameter over which brightness is averaged
+  double spot_m = 0.003;  ///< diameter over which brightness is averaged
   double wall_brightness = 0.5, wall_texture = 0.03;
   std::vector<Sheet> sheets;
 };
@@ -38,21 +38,31 @@ struct TargetWall {
 inline Sheet checker_sheet(double u_m, double v_m, double turn_rad, double size_m,
                            double margin_m = 0) {
   const double h = size_m / 2;
-  return {u_m, v_m, turn_rad, h + margin_m, 0.005,
+  return {u_m,
+          v_m,
+          turn_rad,
+          h + margin_m,
+          0.005,
           [h](double x, double y) {
             if (std::max(std::fabs(x), std::fabs(y)) > h) return 0.95;
             return (x > 0) == (y > 0) ? 0.9 : 0.08;
           },
-          TargetKind::kChecker, size_m};
+          TargetKind::kChecker,
+          size_m};
 }
 
 inline Sheet disc_sheet(double u_m, double v_m, double size_m, bool is_bright = false) {
   const double r = size_m / 2;
-  return {u_m, v_m, 0, 0.85 * size_m, 0.005,
+  return {u_m,
+          v_m,
+          0,
+          0.85 * size_m,
+          0.005,
           [r, is_bright](double x, double y) {
             return (std::hypot(x, y) < r) == is_bright ? 0.9 : 0.08;
           },
-          TargetKind::kDisc, size_m};
+          TargetKind::kDisc,
+          size_m};
 }
 
 /// Where its centre lies, x along the wall, y away from the scanner, z up.

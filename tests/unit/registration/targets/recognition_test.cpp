@@ -7,6 +7,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
+#include "base/error.h"
+#include "registration/targets/measure.h"
+#include "unit/cloud/clouds.h"
 #include "unit/registration/target_walls.h"
 
 using namespace jalon;
@@ -38,15 +43,100 @@ TargetWall plain_wall() {
 TEST_CASE("recognition__finds_kind_size_and_code_of_targets_on_a_wall") {
   const TargetWall wall = plain_wall();
   const auto found = recognised(scan_of(wall, 1), kCatalogue);
-  for (const auto& f : found)
-    MESSAGE(f.centre().x << " " << f.centre().y << " " << f.centre().z << " kind "
-                         << int(f.measured.kind) << " size " << f.size_m << " +- " << f.size_sigma_m
-                         << " misfit " << f.misfit << " cnr " << f.contrast_to_noise << " conf "
-                         << f.confidence << " verdict " << int(f.verdict) << " entry " << f.entry);
   REQUIRE(found.size() == 3);
   for (size_t i = 0; i < 3; ++i) {
     CHECK(found[i].verdict == TargetVerdict::kKnown);
     CHECK(found[i].entry == static_cast<int32_t>(i));
     CHECK(norm(found[i].centre() - place_of(wall, wall.sheets[i])) < 0.001);
   }
+}
+
+TEST_CASE("recognition__gives_no_code_where_two_entries_fit_or_none") {
+  const TargetWall wall = plain_wall();
+  const Cloud cloud = scan_of(wall, 2);
+  const auto found = recognised(cloud, R"({"targets": [
+    {"code": "1", "kind": "checker", "size_m": 0.149}, {"code": "9", "kind": "checker", "size_m": 0.151},
+    {"code": "3", "kind": "disc", "size_m": 0.13}]})");
+  REQUIRE(found.size() == 3);
+  CHECK(found[0].verdict == TargetVerdict::kAmbiguous);
+  CHECK(found[0].entry + found[0].second == 1);  // both, in either order
+  CHECK(found[0].confidence < 0.9);
+  CHECK(found[1].verdict == TargetVerdict::kForeign);  // a checker of 0.1 m
+  CHECK(found[1].entry == -1);
+  CHECK(found[2].verdict == TargetVerdict::kForeign);
+  CHECK(found[2].confidence > 0.9);  // a target it is
+}
+
+TEST_CASE("recognition__finds_nothing_on_a_wall_of_windows_stripes_and_tiles") {
+  TargetWall wall = plain_wall();
+  const auto board = [](double x, double y) {
+    const double tiles = std::floor(x / 0.1) + std::floor(y / 0.1);
+    return std::fmod(std::fabs(tiles), 2) < 0.5 ? 0.9 : 0.1;
+  };
+  const auto stripes = [](double x, double) {
+    return std::fmod(std::fabs(x), 0.06) < 0.03 ? 0.9 : 0.1;
+  };
+  const auto cross = [](double x, double y) {
+    return std::min(std::fabs(x), std::fabs(y)) < 0.02 ? 0.9 : 0.1;
+  };
+  wall.sheets = {{0.7, 1, 0, 0.3, 0.005, board},
+                 {1.5, 1.2, 0.3, 0.2, 0.005, stripes},
+                 {2.3, 0.8, 0, 0.25, 0.005, cross}};
+  CHECK(recognised(scan_of(wall, 3), kCatalogue).empty());
+}
+
+TEST_CASE("recognition__says_what_a_scan_lacks") {
+  Task task;
+  const auto status = [&](const Cloud& cloud) {
+    return status_of([&] { recognised(cloud, kCatalogue); });
+  };
+  TargetWall wall = plain_wall();
+  wall.spacing_m = 0.05;
+  Cloud cloud = scan_of(wall, 4, false);
+  CHECK(status(cloud) == Status::kNotFound);
+  cloud.fields.set(
+      make_column<uint16_t>({.name = "intensity"}, std::vector<uint16_t>(cloud.size(), 7)));
+  CHECK(status(cloud) == Status::kInsufficientData);
+}
+
+TEST_CASE("recognition__is_a_table_of_targets_without_places") {
+  const TargetWall wall = plain_wall();
+  const Cloud cloud = scan_of(wall, 5);
+  MeasuringSettings settings;
+  settings.catalogue = kCatalogue;
+  Task task;
+  const FieldTable table = measure_targets(cloud, {}, settings, task);
+  REQUIRE(table.rows() == 3);
+  CHECK(table.require("entry").number(1) == 1);
+  CHECK(table.require("verdict").number(1) == 1);
+  CHECK(table.require("size").number(1) == doctest::Approx(0.1).epsilon(0.03));
+  Task one({.threads = 1});
+  const FieldTable again = measure_targets(cloud, {}, settings, one);
+  for (uint32_t k = 0; k < 3; ++k)
+    CHECK(again.require("centre").number(2, k) == table.require("centre").number(2, k));
+  const Vec3 place{1, 1, 1};
+  CHECK(status_of([&] {
+          measure_targets(cloud, {&place, 1}, settings, task);
+        }) == Status::kInvalidArgument);
+}
+
+TEST_CASE("judge__follows_the_size_and_its_sigma") {
+  const TargetCatalogue catalogue = target_catalogue_from_json(kCatalogue);
+  RecognisedTarget target;
+  target.measured.kind = TargetKind::kChecker;
+  target.pattern_confidence = 0.99;
+  target.size_m = 0.101, target.size_sigma_m = 0.001;
+  judge(catalogue, 0.9, target);
+  CHECK(target.verdict == TargetVerdict::kKnown);
+  CHECK(target.entry == 1);
+  target.size_m = 0.125;
+  judge(catalogue, 0.9, target);
+  CHECK(target.verdict == TargetVerdict::kForeign);
+  target.size_sigma_m = 0.02;  // either
+  judge(catalogue, 0.9, target);
+  CHECK(target.verdict == TargetVerdict::kAmbiguous);
+  CHECK(target.second >= 0);
+  target.size_m = 0.1, target.size_sigma_m = 0.001, target.pattern_confidence = 0.6;
+  judge(catalogue, 0.9, target);
+  CHECK(target.verdict == TargetVerdict::kUncertain);
 }
