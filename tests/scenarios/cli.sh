@@ -171,7 +171,8 @@ for i in range(200):
         on = max(abs(u), abs(v)) < 0.075
         level = (52000 if (u > 0) == (v > 0) else 9000) if on else 8000 if math.hypot(x - 0.7, z - 0.6) < 0.05 else 30000
         print("%.4f %.4f %.4f %d" % (x, random.gauss(0, 0.001), z, level + random.gauss(0, 900)))' >pattern.txt
-printf '{"targets": [{"code": "1", "kind": "checker", "size_m": 0.15}, {"code": 3, "kind": "disc", "size_m": 0.2}]}' >catalogue.json
+printf '{"targets": [{"code": "1", "kind": "checker", "size_m": 0.15}, {"code": 3, "kind": "disc", "size_m": 0.12}]}' >catalogue.json
+printf 'x y z' >words.json
 check "targets finds those of a catalogue and lists the others without a code" bash -c "'$jalon' targets pattern.txt catalogue.json -o found --json --quiet | python3 -c '
 import json, sys
 d = json.load(sys.stdin)
@@ -180,7 +181,7 @@ t = d[\"targets\"][0]
 assert t[\"code\"] == \"1\" and abs(t[\"x\"] - 0.3) < 0.002 and t[\"confidence\"] > 0.9, t' && grep -q '^T1;0\.[0-9]*;.*;1$' found/targets.txt && test \$(wc -l <found/targets.csv) = 3 && test \$(wc -l <found/targets.txt) = 1"
 cut -d' ' -f1-3 pattern.txt >bare.txt
 refuses "targets of a scan without intensities" 3 'no field' "$jalon" targets bare.txt catalogue.json -o no
-refuses "targets of a catalogue that is none" 2 'no JSON' "$jalon" targets pattern.txt pattern.txt -o no
+refuses "targets of a catalogue that is none" 2 'no JSON' "$jalon" targets pattern.txt words.json -o no
 refuses "code without a list of codes" 3 'none.txt' "$jalon" code sample.las none.txt -o no --method targets
 refuses "code with a table that is none" 2 'no JSON' "$jalon" code sample.las codes.txt -o no --method survey --table coded/objects.csv
 for epoch in 1 2; do check "scan of the street, epoch $epoch" "$jalon" scan --scene street --scene-set epoch=$epoch --method sample --set points=100000 --set seed=$epoch -o street$epoch.ply --quiet; done
