@@ -67,7 +67,10 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_depth_map(const jalon_cloud* refe
 /**
  * The same as a PNG picture as the scanner sees the scene, one pixel a cell: grey 255 for the nearest range down to 30
  * for the farthest, even in the logarithm of the range; dark blue for empty cells. The text chunk "Description" of the
- * file tells both ranges. JALON_ERROR_INSUFFICIENT_DATA for a station without points.
+ * file tells both ranges. A path that ends in ".tif" or ".tiff" gets the ranges themselves, as a TIFF of float32 in
+ * metres with -9999 as GDAL's no-data value; ModelPixelScale and ModelTiepoint place its pixels in degrees, clockwise
+ * from +Y and up from the horizon, and no coordinate system is named. JALON_ERROR_INSUFFICIENT_DATA for a station
+ * without points.
  */
 JALON_API JALON_CHECK jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference,
                                                                uint64_t station, const char* path,

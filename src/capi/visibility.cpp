@@ -61,8 +61,10 @@ jalon_status jalon_cloud_write_depth_map(const jalon_cloud* reference, uint64_t 
     const std::string target = require_text(path, "path");
     const DepthSettings settings = settings_of_of_visibility(options);
     with_task(task, [&](Task& t) {
+      const bool is_tiff = target.ends_with(".tif") || target.ends_with(".tiff");
       AtomicFile file(target);
-      file.write(depth_png(station_depth_map(*reference->cloud, station, settings, t), t));
+      const DepthMap map = station_depth_map(*reference->cloud, station, settings, t);
+      file.write(is_tiff ? depth_tiff(map, t) : depth_png(map, t));
       file.commit();
     });
   });

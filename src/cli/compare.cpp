@@ -43,17 +43,6 @@ struct Compare {
     jalon_box box{};
   };
 
-  void use_box() {
-    if (box.empty()) return;
-    bool is_used = false;
-    for (Input* input : {&reference, &compared, &core, &extras.third()}) {
-      if (input->path.empty() || is_model_file(input->path)) continue;
-      if (input->box.empty()) input->box = box;
-      is_used = true;
-    }
-    if (!is_used) throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--box is of scans, not of models"};
-  }
-
   Epoch read(Console& console, const Input& input, bool with_points) const {
     Epoch out;
     if (!is_model_file(input.path)) {
@@ -398,7 +387,8 @@ void add_compare(Command& app) {
            "--then chi_square";
   });
   command.on_run([state] {
-    state->use_box();
+    use_box(state->box,
+            {&state->reference, &state->compared, &state->core, &state->extras.third()});
     state->run();
   });
 }

@@ -88,6 +88,15 @@ static void depth_map__is_a_picture(void** state) {
   fclose(in);
   assert_true(memcmp(head, "\x89PNG\r\n\x1a\n", 8) == 0);
   remove(path);
+  char tiff[sizeof path + 4];
+  snprintf(tiff, sizeof tiff, "%s.tif", path);
+  MUST(jalon_cloud_write_depth_map(reference, 0, tiff, NULL, NULL));
+  in = fopen(tiff, "rb");
+  assert_non_null(in);
+  assert_int_equal(fread(head, 1, 8, in), 8);
+  fclose(in);
+  assert_true(memcmp(head, "II*", 4) == 0);
+  remove(tiff);
   jalon_cloud_release(reference);
 }
 

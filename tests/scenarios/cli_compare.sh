@@ -15,7 +15,7 @@ done
 
 judge "compare makes volumes, closest points and depth maps" "$jalon" compare day1.las day3.las -o all --json --quiet \
   --volumes --volume-set cell_m=1 --volume-set direction=0,0,2 --closest --depth-maps --third day4.las
-for file in volumes.csv closest.las closest.ply depth_reference_1.png depth_compared_1.png; do
+for file in volumes.csv closest.las closest.ply depth_reference_1.png depth_reference_1.tif depth_compared_1.png depth_compared_1.tif; do
   judge "it made $file" test -s all/$file
 done
 judge "the result tells of them" python3 -c '
@@ -25,7 +25,7 @@ v = d["volumes"]
 assert v["parameters"]["direction"] == [0, 0, 2] and v["cell"] == 1, v
 assert abs(v["fill"] - v["cut"] - v["net"]) < 1e-6 and v["sigma"] > 0, v
 assert 100 < d["closest_points"] <= d["reverse_summary"]["points"]
-assert d["depth_maps"] == ["depth_reference_1.png", "depth_compared_1.png"]
+assert d["depth_maps"] == ["depth_%s_1%s" % (side, end) for side in ("reference", "compared") for end in (".png", ".tif")]
 t = d["third_epoch"]
 assert t["hidden"] == d["summary"]["hidden"] >= t["probably_unchanged"] + t["changed_meanwhile"] > 0, t
 assert len(open("all/volumes.csv").readlines()) > v["cells"]'

@@ -41,10 +41,12 @@ Json write_depth_maps(const Console& console, const PathOf& path_of, const Cloud
     int32_t has_pose = 0;
     must(jalon_cloud_station(cloud.get(), i, nullptr, &has_pose, nullptr, nullptr, &points));
     if (points == 0 || has_pose == 0) continue;
-    const std::string name = "depth_" + side + "_" + std::to_string(i + 1) + ".png";
-    must(jalon_cloud_write_depth_map(cloud.get(), i, path_of(name).c_str(), options.get(),
-                                     console.task()));
-    out.push_back(name);
+    for (const char* end : {".png", ".tif"}) {
+      const std::string name = "depth_" + side + "_" + std::to_string(i + 1) + end;
+      must(jalon_cloud_write_depth_map(cloud.get(), i, path_of(name).c_str(), options.get(),
+                                       console.task()));
+      out.push_back(name);
+    }
   }
   return out;
 }
@@ -71,8 +73,10 @@ void Extras::add_to(Command& command) {
   volume_settings_.add_to(command, "volume-");
   command.flag("--closest", with_closest_,
                "The reference points that are nearest to a compared one, as closest.las and .ply");
-  command.flag("--depth-maps", with_depth_maps_,
-               "What the stations of both scans saw, a picture each: depth_reference_1.png ...");
+  command.flag(
+      "--depth-maps", with_depth_maps_,
+      "What the stations of both scans saw, a picture each and its ranges in metres as TIFF: "
+      "depth_reference_1.png, depth_reference_1.tif ...");
   depth_settings_.add_to(command, "depth-");
   command
       .option("--third", third_.path,

@@ -91,6 +91,17 @@ bool is_model_file(const std::string& path) {
                              [&](const char* end) { return lower.ends_with(end); });
 }
 
+void use_box(const std::string& box, std::initializer_list<Input*> inputs) {
+  if (box.empty()) return;
+  bool is_used = false;
+  for (Input* input : inputs) {
+    if (input->path.empty() || is_model_file(input->path)) continue;
+    if (input->box.empty()) input->box = box;
+    is_used = true;
+  }
+  if (!is_used) throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--box is of scans, not of models"};
+}
+
 Cloud sampled(const Console& console, const Model& model, const Settings& settings) {
   const Params options = make_params("model_sample");
   settings.apply(options.get());

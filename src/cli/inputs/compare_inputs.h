@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <initializer_list>
 #include <string>
 
 #include "cli/options.h"
@@ -11,6 +12,9 @@ namespace jalon::cli {
 
 /// Does the file's name say that it holds a model and no points?
 bool is_model_file(const std::string& path);
+
+/// The box of all scans, for those that none of their own is told for; "": none. Refused where no input is a scan.
+void use_box(const std::string& box, std::initializer_list<Input*> inputs);
 
 /// Points on a model; settings: of operation "model_sample".
 Cloud sampled(const Console& console, const Model& model, const Settings& settings);

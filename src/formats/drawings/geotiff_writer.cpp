@@ -82,15 +82,20 @@ Strips strips_of(uint32_t width, uint32_t height, const Samples& samples, Task& 
   return out;
 }
 
+// ModelPixelScale and the tie point of the outer corner.
+std::vector<Entry> corner_entries(double left, double top, double width, double height) {
+  return {doubles(33550, {width, height, 0}), doubles(33922, {0, 0, 0, left, top, 0})};
+}
+
 // GeoKeys (OGC 19-008r4, annex B): a user-defined model in metres, pixels are areas, a citation.
-void add_place(std::vector<Entry>& entries, const RasterPlace& place) {
+std::vector<Entry> entries_of(const RasterPlace& place) {
   constexpr uint16_t kVersion = 1, kRevision = 1, kMinor = 1, kKeys = 4;
   constexpr uint16_t kModelType = 1024, kRasterType = 1025, kCitation = 1026, kLinearUnits = 3076;
   constexpr uint16_t kUserDefined = 32767, kPixelIsArea = 1, kMetre = 9001, kAsciiParams = 34737;
   const std::string citation = place.system + "|";
   const auto length = static_cast<uint16_t>(citation.size());
-  entries.push_back(doubles(33550, {place.pixel_m, place.pixel_m, 0}));
-  entries.push_back(doubles(33922, {0, 0, 0, place.left_m, place.top_m, 0}));
+  std::vector<Entry> entries =
+      corner_entries(place.left_m, place.top_m, place.pixel_m, place.pixel_m);
   entries.push_back(shorts(34735, {kVersion,
                                    kRevision,
                                    kMinor,
@@ -112,6 +117,15 @@ void add_place(std::vector<Entry>& entries, const RasterPlace& place) {
                                    1,
                                    kMetre}));
   entries.push_back(text(kAsciiParams, citation));
+  return entries;
+}
+
+std::vector<Entry> entries_of(const AngularPlace& place) {
+  constexpr uint16_t kDescription = 270;
+  std::vector<Entry> entries =
+      corner_entries(place.left_deg, place.top_deg, place.width_deg, place.height_deg);
+  entries.push_back(text(kDescription, place.description));
+  return entries;
 }
 
 // Header, directory, long values, strips.
@@ -153,7 +167,7 @@ std::string file_of(std::vector<Entry> entries, const Strips& strips) {
 }
 
 std::string written(uint32_t width, uint32_t height, const Samples& samples, const Strips& strips,
-                    std::vector<Entry> more, const RasterPlace& place) {
+                    const std::vector<Entry>& more, const std::vector<Entry>& place) {
   constexpr uint16_t kDeflate = 8, kChunky = 1, kNoUnit = 1;
   Entry bits{258, kShort, samples.count, {}}, formats{339, kShort, samples.count, {}};
   Entry unit{282, kRational, 1, {}};
@@ -181,9 +195,22 @@ std::string written(uint32_t width, uint32_t height, const Samples& samples, con
                              shorts(317, {samples.predictor}),
                              formats};
   entries.insert(entries.end(), more.begin(), more.end());
-  add_place(entries, place);
+  entries.insert(entries.end(), place.begin(), place.end());
   std::ranges::sort(entries, {}, &Entry::tag);
   return file_of(std::move(entries), strips);
+}
+
+std::string numbers_file(const NumberImage& image, const std::vector<Entry>& place, Task& task) {
+  constexpr uint16_t kGdalNoData = 42113;
+  constexpr Samples kNumbers{1, 32, kFloat, kBlackIsZero, kPlain};
+  const Strips strips =
+      strips_of(image.width, image.height, kNumbers, task, [&](uint32_t y, std::string& out) {
+        for (uint32_t x = 0; x < image.width; ++x) {
+          const float value = image.pixels[size_t{y} * image.width + x];
+          append_stored(out, std::isnan(value) ? kNoNumber : value);
+        }
+      });
+  return written(image.width, image.height, kNumbers, strips, {text(kGdalNoData, "-9999")}, place);
 }
 
 }  // namespace
@@ -199,20 +226,15 @@ std::string geotiff_of(const RgbaImage& image, const RasterPlace& place, Task& t
           out += static_cast<char>(row[i] - (i >= 4 ? row[i - 4] : 0));
       });
   return written(image.width, image.height, kRgba, strips,
-                 {shorts(kExtraSamples, {kUnassociatedAlpha})}, place);
+                 {shorts(kExtraSamples, {kUnassociatedAlpha})}, entries_of(place));
 }
 
 std::string geotiff_of(const NumberImage& image, const RasterPlace& place, Task& task) {
-  constexpr uint16_t kGdalNoData = 42113;
-  constexpr Samples kNumbers{1, 32, kFloat, kBlackIsZero, kPlain};
-  const Strips strips =
-      strips_of(image.width, image.height, kNumbers, task, [&](uint32_t y, std::string& out) {
-        for (uint32_t x = 0; x < image.width; ++x) {
-          const float value = image.pixels[size_t{y} * image.width + x];
-          append_stored(out, std::isnan(value) ? kNoNumber : value);
-        }
-      });
-  return written(image.width, image.height, kNumbers, strips, {text(kGdalNoData, "-9999")}, place);
+  return numbers_file(image, entries_of(place), task);
+}
+
+std::string geotiff_of(const NumberImage& image, const AngularPlace& place, Task& task) {
+  return numbers_file(image, entries_of(place), task);
 }
 
 }  // namespace jalon

@@ -18,6 +18,14 @@ struct RasterPlace {
   std::string system;  ///< what the coordinates are, in ASCII
 };
 
+/// Where a raster lies whose axes are angles: to the right clockwise, upward from the horizon. No system of GeoTIFF is
+/// of that kind, and none is named.
+struct AngularPlace {
+  double left_deg = 0, top_deg = 0;  ///< of the outer corner of the first pixel
+  double width_deg = 1, height_deg = 1;
+  std::string description;  ///< in ASCII
+};
+
 /// One number a pixel, row by row from the top; NaN where there is none.
 struct NumberImage {
   uint32_t width = 0, height = 0;
@@ -32,5 +40,6 @@ constexpr float kNoNumber =
 /// The same bytes for any number of threads.
 std::string geotiff_of(const RgbaImage& image, const RasterPlace& place, Task& task);
 std::string geotiff_of(const NumberImage& image, const RasterPlace& place, Task& task);
+std::string geotiff_of(const NumberImage& image, const AngularPlace& place, Task& task);
 
 }  // namespace jalon

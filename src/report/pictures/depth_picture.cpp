@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/error.h"
 #include "base/text_number.h"
+#include "formats/drawings/geotiff_writer.h"
 #include "formats/drawings/png_writer.h"
 
 namespace jalon {
@@ -61,6 +63,30 @@ std::string depth_png(const DepthMap& map, Task& task) {
                       std::to_string(kFarthestGrey) + " = " + text_of(double{far}) +
                       " m, even in the logarithm of the range; blue = empty";
   return png_of(image);
+}
+
+std::string depth_tiff(const DepthMap& map, Task& task) {
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const AngularGrid& grid = map.grid();
+  NumberImage image{grid.columns, grid.rows, std::vector<float>(grid.size(), std::nanf(""))};
+  bool is_empty = true;
+  for (uint32_t row = 0; row < grid.rows; ++row) {
+    check_cancel(task);
+    for (uint32_t column = 0; column < grid.columns; ++column)
+      if (const float range = map.cell(column, row).range_m; range > 0) {
+        image.pixels[size_t{grid.rows - 1 - row} * grid.columns + column] = range;
+        is_empty = false;
+      }
+  }
+  if (is_empty) fail(Status::kInsufficientData, "a depth map of a station without points");
+  return geotiff_of(
+      image,
+      AngularPlace{grid.horizontal_from_rad * kDegrees,
+                   (grid.vertical_from_rad + grid.rows * grid.vertical_step_rad) * kDegrees,
+                   grid.horizontal_step_rad * kDegrees, grid.vertical_step_rad * kDegrees,
+                   "Depth map: ranges in metres; x: degrees clockwise from +Y, y: "
+                   "degrees above the horizon"},
+      task);
 }
 
 }  // namespace jalon

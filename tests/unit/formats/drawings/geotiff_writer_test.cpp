@@ -95,6 +95,20 @@ TEST_CASE("geotiff__the_place_is_that_of_the_outer_corner_in_a_system_of_its_own
   CHECK(tiff.text(34737) == std::string("facade|", 8));
 }
 
+TEST_CASE("geotiff__angles_have_pixels_that_are_not_square_and_name_no_system") {
+  Task task;
+  const NumberImage image{2, 1, {3.5F, std::nanf("")}};
+  const Tiff tiff(geotiff_of(image, AngularPlace{-10, 20, 0.5, 0.25, "angles"}, task));
+  CHECK(tiff.value<double>(33550, 0) == 0.5);
+  CHECK(tiff.value<double>(33550, 1) == 0.25);
+  CHECK(tiff.value<double>(33922, 3) == -10);
+  CHECK(tiff.value<double>(33922, 4) == 20);
+  CHECK(tiff.text(270) == std::string("angles\0", 7));
+  CHECK(!tiff.has(34735));
+  CHECK(load<float>(tiff.pixels().data()) == 3.5F);
+  CHECK(load<float>(tiff.pixels().data() + 4) == kNoNumber);
+}
+
 TEST_CASE("geotiff__colours_have_opacity_and_strips_keep_their_rows") {
   RandomStream random(1, 1);
   RgbaImage image{300, 240, std::vector<uint8_t>(4 * 300 * 240)};

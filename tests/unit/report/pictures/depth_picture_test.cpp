@@ -4,11 +4,15 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "formats/files/endian.h"
 #include "report/pictures/depth_picture.h"
+#include "unit/formats/files/inflated.h"
 #include "unit/report/pictures/picture_pixels.h"
 
 using namespace jalon;
@@ -92,4 +96,32 @@ TEST_CASE("depth_picture__without_a_point_is_refused") {
       CHECK(std::string(error.what()).find("without points") != std::string::npos);
     }
   }
+}
+
+TEST_CASE("depth_picture__a_tiff_has_the_ranges_themselves_at_their_angles") {
+  const DepthMap map = map_of({seen_at(3, 2, 12.5), seen_at(5, 4, 40)});
+  Task task;
+  const std::string tiff = depth_tiff(map, task);
+  const size_t directory = load<uint32_t>(tiff.data() + 4);
+  std::map<uint16_t, size_t> values;  // where those of an entry lie that are longer than the entry
+  for (size_t i = 0; i < load<uint16_t>(tiff.data() + directory); ++i) {
+    const char* entry = tiff.data() + directory + 2 + 12 * i;
+    values[load<uint16_t>(entry)] = load<uint32_t>(entry + 8);
+  }
+  constexpr double kDegrees = 180 / std::numbers::pi;
+  const auto number = [&](uint16_t tag, size_t i) {
+    return load<double>(tiff.data() + values.at(tag) + 8 * i);
+  };
+  CHECK(number(33550, 0) == doctest::Approx(kStep_rad * kDegrees));
+  // The middles of the corner pixels: the higher point is in the top row, the other in the left column.
+  CHECK(number(33922, 3) + number(33550, 0) / 2 == doctest::Approx(3 * kStep_rad * kDegrees));
+  CHECK(number(33922, 4) - number(33550, 1) / 2 == doctest::Approx(4 * kStep_rad * kDegrees));
+  // Three columns, three rows, one strip: the first range stands at the lower left, the second at the upper right.
+  const Inflated strip(std::string_view(tiff).substr(values.at(273), values.at(279)));
+  REQUIRE(strip.ok);
+  REQUIRE(strip.text.size() == 4 * 9);
+  const auto range = [&](size_t pixel) { return load<float>(strip.text.data() + 4 * pixel); };
+  CHECK(range(6) == doctest::Approx(12.5));
+  CHECK(range(2) == doctest::Approx(40));
+  for (const size_t empty : {0, 1, 3, 4, 5, 7, 8}) CHECK(range(empty) == -9999);
 }
