@@ -8,6 +8,7 @@
 #include "formats/files/endian.h"
 #include "formats/files/utf8.h"
 #include "formats/las/layout.h"
+#include "formats/units/epsg_wkt.h"
 
 namespace jalon::las {
 
@@ -140,16 +141,21 @@ bool is_crs_record(const Record& record) {
 std::string crs_text(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs) {
   if (const Record* own = find(vlrs, evlrs, kOwnUser, kOwnCrsRecord))
     return valid_utf8({reinterpret_cast<const char*>(own->data()), own->size()});
-  if (const Record* wkt = find(vlrs, evlrs, kProjectionUser, kWkt)) {
-    std::string text = wkt->text();
-    if (!text.empty()) return text;
-  }
+  std::string of_keys;
   const GeoKeys keys = geo_keys(vlrs, evlrs);
   for (const uint16_t key : {uint16_t{kProjectedType}, uint16_t{kGeographicType}}) {
     const uint16_t code = keys.code(key);
-    if (code != 0 && code != kUserDefined) return "EPSG:" + std::to_string(code);
+    if (code == 0 || code == kUserDefined) continue;
+    of_keys = "EPSG:" + std::to_string(code);
+    break;
   }
-  return "";
+  if (const Record* wkt = find(vlrs, evlrs, kProjectionUser, kWkt)) {
+    std::string text = wkt->text();
+    // The text that was written beside the keys of a code says no more than the code.
+    const bool says_code = !of_keys.empty() && text == wkt_of_epsg(epsg_code(of_keys));
+    if (!text.empty() && !says_code) return text;
+  }
+  return of_keys;
 }
 
 LengthUnits units_of(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "formats/las/layout.h"
+#include "formats/units/epsg_wkt.h"
 #include "unit/formats/las/las_bytes.h"
 #include "unit/formats/opened_file.h"
 
@@ -78,6 +79,10 @@ TEST_CASE("las_crs__a_text_goes_before_keys_and_keys_that_say_nothing_give_no_cr
   const las::Record keys = directory_of({1024, 0, 1, 1, 3072, 0, 1, 2154});
   const las::Record own = las::crs_records("site grid")[0];
   CHECK(las::crs_text({keys, wkt_text_record(kMetricWkt)}, {}) == kMetricWkt);
+  // The text of the keys' own code, as COPC has it, says no more; of another it does.
+  CHECK(las::crs_text({keys, wkt_text_record(wkt_of_epsg(2154))}, {}) == "EPSG:2154");
+  CHECK(las::crs_text({keys, wkt_text_record(wkt_of_epsg(3946))}, {}) == wkt_of_epsg(3946));
+  CHECK(las::crs_text({wkt_text_record(wkt_of_epsg(2154))}, {}) == wkt_of_epsg(2154));
   CHECK(las::crs_text({keys, wkt_text_record("")}, {}) == "EPSG:2154");
   CHECK(las::crs_text({keys}, {wkt_text_record(kMetricWkt)}) == kMetricWkt);
   CHECK(las::crs_text({keys, wkt_text_record(kMetricWkt), own}, {}) == "site grid");
