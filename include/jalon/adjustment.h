@@ -186,7 +186,29 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_parameters(const jalon_adjus
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_trajectory(const jalon_adjustment* adjustment,
                                                                jalon_trajectory** out);
-/** The adjusted model of strips; roofs go with their blocks. */
+/**
+ * The adjusted model of strips; roofs go with their blocks.
+ *
+ * Written as CityJSON (jalon_model_write) its parts have attributes: a part those of the block, facade and strip above
+ * it, a building those of its block; a strip is a WallSurface. The place that the model was given is the zero of all
+ * offsets. They go with this model alone: what is made of it, or read from the file, has them no more; there its
+ * blocks, facades and strips keep their numbers (jalon_model_building_strips).
+ *     attribute                    unit  meaning
+ *     block, facade, strip         -     numbers: rows of the tables above
+ *     block_offset_east_m          m     east; block_offset_north_m: north
+ *     block_prior_sigma_east_m     m     standard deviation before, and block_prior_sigma_north_m
+ *     block_sigma_east_m           m     standard deviation after, and block_sigma_north_m
+ *     block_matches                -     points that hold its strips
+ *     facade_offset_m              m     along its normal
+ *     facade_prior_sigma_m         m     standard deviation before
+ *     facade_sigma_m               m     standard deviation after
+ *     facade_matches               -     points that hold its strips
+ *     strip_offset_m               m     along its facade's normal, beside those of facade and block
+ *     strip_prior_sigma_m          m     standard deviation before
+ *     strip_sigma_m                m     standard deviation after
+ *     strip_matches                -     points that hold it; 0: it was not adjusted
+ *     strip_distance_before_m      m     of the strip as given before its points as given; absent: not adjusted
+ */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_model(const jalon_adjustment* adjustment,
                                                           jalon_model** out);
 /**

@@ -27,6 +27,9 @@ JALON_BEGIN_C
  *   from half a width on, else it is added to the last ("remainder" = keep), or all are equal (equal). From the
  *   lowest to the highest of the facade, or clipped to its outline, gables and all ("top" = clip).
  *
+ * A model of strips, as an adjusted one read from CityJSON, keeps its blocks, facades and strips with their numbers and
+ * places: of the options "others" alone counts. Its facades stand in the mean of their strips.
+ *
  * model: parts block - building - facade - strip of these classes; a face a strip (several where clipping cuts it in
  * parts), whose id is its number; two triangles a rectangle. With "others" behind them the faces that are no facades,
  * as they are: parts of class roof below their building, of class ground where they are of none.

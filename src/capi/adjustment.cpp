@@ -9,6 +9,7 @@
 #include "capi/support/trajectory_handles.h"
 #include "model/buildings/building_offsets.h"
 #include "registration/joint/adjusted.h"
+#include "registration/joint/adjusted_attributes.h"
 #include "registration/joint/adjustment_tables.h"
 
 using namespace jalon;
@@ -43,6 +44,7 @@ jalon_status jalon_trajectory_adjust(const jalon_trajectory* trajectory, const j
     auto handle = std::make_unique<jalon_adjustment>();
     handle->trajectory = trajectory->trajectory;
     handle->model = model->model;
+    handle->settings = settings;
     with_task(task, [&](Task& t) {
       JointAdjustment made =
           adjust_jointly(*handle->model, *points, *handle->trajectory, settings, t);
@@ -104,7 +106,11 @@ jalon_status jalon_adjustment_model(const jalon_adjustment* adjustment, jalon_mo
   return guard([&] {
     require(adjustment, "adjustment");
     require(out, "out");
-    *out = new_model(moved_strips(*adjustment->model, adjustment->adjustment->model));
+    const Model& given = *adjustment->model;
+    Owned<jalon_model> made = own(new_model(moved_strips(given, adjustment->adjustment->model)));
+    made->attributes = std::make_shared<const PartAttributes>(
+        adjusted_attributes(*adjustment->adjustment, adjustment->settings, given));
+    *out = made.release();
   });
 }
 

@@ -30,10 +30,10 @@ FieldTable strip_table(const BuildingTree& tree) {
                        [&](const S& s) { return first + static_cast<size_t>(&s - rows.data()); });
   add_columns<double, 3>(t, rows, "normal", "1", "level, out of the building",
                          [&](const S& s, double* o) { put(facade(s).normal, o); });
-  add_columns<double, 3>(t, rows, "place", "m", "lower left corner, seen from outside",
-                         [&](const S& s, double* o) {
-                           put(facade(s).place({s.from_m, facade(s).bottom_m}), o);
-                         });
+  add_columns<double, 3>(
+      t, rows, "place", "m", "lower left corner, seen from outside", [&](const S& s, double* o) {
+        put(facade(s).place({s.from_m, facade(s).bottom_m}) + facade(s).normal * s.offset_m, o);
+      });
   add_column<double>(t, rows, "width", "m", "along the facade",
                      [](const S& s) { return s.to_m - s.from_m; });
   add_column<double>(t, rows, "height", "m", "of the facade",

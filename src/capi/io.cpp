@@ -77,7 +77,8 @@ jalon_status jalon_model_write(const jalon_model* model, const char* path,
     const std::string file = require_path(path);
     const ParamSet values = options_or_default(options, "write");
     with_task(task, [&](Task& t) {
-      write_model(*model->model, file, settings_from<WriteSettings>(values), t);
+      write_model(*model->model, file, settings_from<WriteSettings>(values), t,
+                  model->attributes.get());
     });
   });
 }

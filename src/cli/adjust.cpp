@@ -69,8 +69,8 @@ struct Adjust {
     must(jalon_adjustment_apply(made.get(), inputs.cloud.get(), console.task(), Out(points)));
     must(jalon_trajectory_write(drive.get(), folder.path("trajectory.txt").c_str(), nullptr,
                                 nullptr, console.task()));
-    must(
-        jalon_model_write(strips.get(), folder.path("model.obj").c_str(), nullptr, console.task()));
+    for (const char* name : {"model.obj", "model.city.json"})
+      must(jalon_model_write(strips.get(), folder.path(name).c_str(), nullptr, console.task()));
     for (const char* name : {"cloud.las", "cloud.ply"})
       must(jalon_cloud_write(points.get(), folder.path(name).c_str(), nullptr, console.task()));
     write_text_file(folder.path("controls.csv"), table(made, jalon_adjustment_controls).csv());
@@ -154,9 +154,8 @@ struct Adjust {
     folder.commit();
     say(console, made);
     console.say("wrote " + output +
-                ": report.html, trajectory.txt, cloud.las, cloud.ply, model.obj, adjustment.json, "
-                "controls.csv, "
-                "blocks.csv, facades.csv, strips.csv, matches.csv");
+                ": report.html, trajectory.txt, cloud.las, cloud.ply, model.obj, model.city.json, "
+                "adjustment.json, controls.csv, blocks.csv, facades.csv, strips.csv, matches.csv");
     console.result(result);
   }
 };

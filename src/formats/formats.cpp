@@ -231,13 +231,15 @@ void write_cloud(const Cloud& cloud, const std::string& path, const WriteSetting
 }
 
 void write_model(const Model& model, const std::string& path, const WriteSettings& settings,
-                 Task& task) {
+                 Task& task, const PartAttributes* attributes) {
   const Format* format = format_to_write(path, settings);
   if (format == nullptr || format->write_model == nullptr) {
     refuse_option(path, settings.format, &Format::write_model, "model", false);
     refuse_extension(path, &Format::write_model);
   }
-  format->write_model(model, path, settings, task);
+  if (attributes != nullptr && format->write_attributes != nullptr)
+    format->write_attributes(model, *attributes, path, settings, task);
+  else format->write_model(model, path, settings, task);
 }
 
 }  // namespace jalon

@@ -11,6 +11,7 @@
 #include "cloud/cloud.h"
 #include "formats/settings.h"
 #include "model/model.h"
+#include "model/part_attributes.h"
 
 // Files of clouds and models. registry.h has a row for each format; nothing else knows them.
 namespace jalon {
@@ -30,8 +31,9 @@ void write_cloud(const Cloud& cloud, const std::string& path, const WriteSetting
 /// Reads and writes, piece by piece where both formats can; the bytes are the same. Gives the number of points.
 uint64_t convert_cloud(const std::string& from, const std::string& to,
                        const ConvertSettings& settings, Task& task);
+/// attributes: of the model's parts, for formats that have a place for them (CityJSON); may be nullptr.
 void write_model(const Model& model, const std::string& path, const WriteSettings& settings,
-                 Task& task);
+                 Task& task, const PartAttributes* attributes = nullptr);
 
 /// The registry, for listings.
 struct FormatInfo {

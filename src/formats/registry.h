@@ -30,6 +30,7 @@
 #include "formats/stl/stl.h"
 #include "formats/text/text.h"
 #include "model/model.h"
+#include "model/part_attributes.h"
 
 namespace jalon {
 
@@ -82,6 +83,10 @@ struct Format {
   Ability<void(const Cloud&, const std::string& path, const WriteSettings&, Task&)> write_cloud{};
   Ability<Model(const ByteSource&, const ReadSettings&, Task&)> read_model{};
   Ability<void(const Model&, const std::string& path, const WriteSettings&, Task&)> write_model{};
+  /// The same with attributes of the parts; null where a format has no place for them.
+  Ability<void(const Model&, const PartAttributes&, const std::string& path, const WriteSettings&,
+               Task&)>
+      write_attributes{};
   /// Null where this file's points do not come in the order of a cloud's.
   Ability<std::unique_ptr<CloudPieces>(const ByteSource&, const ReadSettings&, Task&)>
       read_pieces{};
@@ -215,7 +220,8 @@ inline constexpr Format kFormats[] = {
      .keyword = "cityjson",
      .extensions = "city.json cityjson json",
      .read_model = read_city,
-     .write_model = write_city},
+     .write_model = write_city,
+     .write_attributes = write_city_attributes},
     {.name = "DXF",
      .keyword = "dxf",
      .extensions = "dxf",

@@ -82,7 +82,36 @@ d=json.load(sys.stdin)
 assert d[\"summary\"][\"converged\"]==1 and d[\"summary\"][\"matched\"]>0.9*d[\"summary\"][\"points\"], d
 rows=list(csv.DictReader(open(\"adjusted/controls.csv\")))
 assert all(float(r[\"sigma_0\"])<0.5*float(r[\"prior_sigma_0\"]) for r in rows)'"
-for file in report.html trajectory.txt cloud.las cloud.ply model.obj adjustment.json strips.csv matches.csv; do check "adjust made $file" test -s adjusted/$file; done
+for file in report.html trajectory.txt cloud.las cloud.ply model.obj model.city.json adjustment.json strips.csv matches.csv; do check "adjust made $file" test -s adjusted/$file; done
+check "adjust writes CityJSON whose walls tell what moved them, and keeps their numbers when it is read again" bash -c "'$jalon' adjust adjusted/model.city.json drive.ply drive.txt -o adjusted2 --quiet && python3 -c '
+import csv,json
+def walls(folder):
+  file=json.load(open(folder+\"/model.city.json\"))
+  at=[[s*k+t for s,k,t in zip(file[\"transform\"][\"scale\"],v,file[\"transform\"][\"translate\"])] for v in file[\"vertices\"]]
+  made={}
+  for id,o in file[\"CityObjects\"].items():
+    for g in o[\"geometry\"]:
+      sem=g[\"semantics\"]
+      for b,v in zip(g[\"boundaries\"],sem[\"values\"]):
+        w=sem[\"surfaces\"][v]
+        if \"strip\" in w: made[w[\"strip\"]]=(id,w,[at[i] for i in b[0]],o[\"attributes\"])
+  return made
+one,two=walls(\"adjusted\"),walls(\"adjusted2\")
+for folder,of in ((\"adjusted\",one),(\"adjusted2\",two)):
+  rows=list(csv.DictReader(open(folder+\"/strips.csv\")))
+  blocks=list(csv.DictReader(open(folder+\"/blocks.csv\")))
+  assert len(rows)==len(of), (len(rows),len(of))
+  for i,r in enumerate(rows):
+    id,w,ring,building=of[i]
+    assert w[\"type\"]==\"WallSurface\" and w[\"strip_matches\"]==int(r[\"points\"]) and abs(w[\"strip_offset_m\"]-float(r[\"offset\"]))<1e-9 and abs(w[\"strip_sigma_m\"]-float(r[\"sigma\"]))<1e-9 and w[\"strip_prior_sigma_m\"]==0.3, (w,r)
+    assert abs(building[\"block_offset_east_m\"]-float(blocks[w[\"block\"]][\"offset_0\"]))<1e-9
+for k,(id,w,ring,b) in one.items():
+  id2,w2,ring2,b2=two[k]
+  assert id==id2 and w[\"facade\"]==w2[\"facade\"] and w[\"block\"]==w2[\"block\"] and len(ring)==len(ring2), (w,w2)
+  # The same wall, moved by what the second run says of it: upright, so its heights stay.
+  assert max(abs(p[2]-q[2]) for p,q in zip(ring,ring2))<3e-4, (ring,ring2)
+  e,n=(b2[\"block_offset_east_m\"],b2[\"block_offset_north_m\"]); f=abs(w2[\"facade_offset_m\"]+w2[\"strip_offset_m\"])
+  assert all(abs(((q[0]-p[0]-e)**2+(q[1]-p[1]-n)**2)**.5-f)<1e-3 for p,q in zip(ring,ring2)), (ring,ring2,w2,b2)'"
 check "clean removes and thins" "$jalon" clean sample.las -o clean.ply --outliers --voxel 0.05
 check "normals writes normals" bash -c "'$jalon' normals quiet.las -o normals.ply --set orientation=centroid && head -c 2000 normals.ply | grep -aq 'property float nx'"
 check "facade writes its files" "$jalon" facade sample.las -o result

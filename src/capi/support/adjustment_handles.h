@@ -9,6 +9,7 @@
 
 struct jalon_adjustment : jalon::capi::Counted {
   jalon::JointAdjustmentPtr adjustment;
+  jalon::JointSettings settings;
   jalon::TrajectoryPtr trajectory;  ///< as given
   jalon::ModelPtr model;            ///< as given
 };

@@ -7,10 +7,12 @@
 #include "base/params.h"
 #include "capi/support/handles.h"
 #include "model/model.h"
+#include "model/part_attributes.h"
 #include "modelling/methods.h"
 
 struct jalon_model : jalon::capi::Counted {
   jalon::ModelPtr model;
+  std::shared_ptr<const jalon::PartAttributes> attributes;  ///< for files; nullptr: none
 };
 
 struct jalon_modeller : jalon::capi::Counted {

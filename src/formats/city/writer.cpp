@@ -37,8 +37,13 @@ struct Semantics {
 /// there are no openings. Attributes of the surfaces keep what the model knows of its parts.
 class CityFile {
  public:
-  CityFile(const Model& model, double scale_m, AtomicFile& file, Task& task)
-      : model_(model), file_(file), grid_(model, scale_m), city_(arrange(model, grid_, task)) {
+  CityFile(const Model& model, const PartAttributes& attributes, double scale_m, AtomicFile& file,
+           Task& task)
+      : model_(model),
+        attributes_(attributes),
+        file_(file),
+        grid_(model, scale_m),
+        city_(arrange(model, grid_, task)) {
     used_.assign(model.parts.size(), 0);
     UniqueNames unique;
     for (const auto& [part, object] : city_.objects) {
@@ -118,6 +123,10 @@ class CityFile {
     add_number("height_m", part.height_m);
     add_number("depth_m", part.depth_m);
     add_number("class_confidence", part.class_confidence);
+    if (index >= attributes_.of_part.size()) return;
+    for (const auto& [name, value, is_whole] : attributes_.of_part[index])
+      if (is_whole) json_.name(name).value(static_cast<uint64_t>(value));
+      else add_number(name.c_str(), value);
   }
 
   // What belongs to the faces of a part: one value, or one a face.
@@ -251,6 +260,7 @@ class CityFile {
   }
 
   const Model& model_;
+  const PartAttributes& attributes_;
   AtomicFile& file_;
   JsonWriter json_;
   Grid grid_;
@@ -263,13 +273,19 @@ class CityFile {
 
 void write_city(const Model& model, const std::string& path, const WriteSettings& settings,
                 Task& task) {
+  write_city_attributes(model, {}, path, settings, task);
+}
+
+void write_city_attributes(const Model& model, const PartAttributes& attributes,
+                           const std::string& path, const WriteSettings& settings, Task& task) {
   ProgressSpan span(task, 0, 0.99, "writing CityJSON");
   validate(model);
   AtomicFile file(path);
   const double scale_m = settings.city_scale_m;
   if (has_arcs(model))
-    CityFile(with_chords(model, settings.chord_error_m), scale_m, file, task).write(task);
-  else CityFile(model, scale_m, file, task).write(task);
+    CityFile(with_chords(model, settings.chord_error_m), attributes, scale_m, file, task)
+        .write(task);
+  else CityFile(model, attributes, scale_m, file, task).write(task);
   task.checkpoint(1);
   file.commit();
 }

@@ -8,6 +8,7 @@
 #include "base/setting_rows.h"
 #include "geometry/polygon2.h"
 #include "model/buildings/facades.h"
+#include "model/buildings/given_strips.h"
 #include "model/buildings/vertical_pieces.h"
 #include "model/part_classes.h"
 #include "model/polygon_triangles.h"
@@ -57,11 +58,11 @@ void add_strip(Model& model, const BuildingTree& tree, uint32_t number, uint32_t
   model.parts[part].height_m = facade.top_m - facade.bottom_m;
   for (const auto& outline : strip.outlines) {
     std::vector<Vec3> ring;
-    for (const Vec2& p : outline) ring.push_back(facade.place(p));
+    for (const Vec2& p : outline) ring.push_back(facade.place(p) + facade.normal * strip.offset_m);
     Face face;
     face.part = part;
     face.id = number;
-    face.plane = {facade.normal, facade.offset_m};
+    face.plane = {facade.normal, facade.offset_m + strip.offset_m};
     face.area_m2 = std::fabs(signed_area(outline));
     const auto first = static_cast<uint32_t>(model.vertices.size());
     model.add_face(face, {ring});
@@ -77,6 +78,7 @@ void add_strip(Model& model, const BuildingTree& tree, uint32_t number, uint32_t
 std::span<const ParamRow> building_strip_rows() { return kBuildingStripRows; }
 
 BuildingTree building_tree(const Model& model, const BuildingSettings& settings, Task& task) {
+  if (is_of_strips(model)) return given_strips(model);
   // 1. Upright faces, by building.
   VerticalPieces pieces = vertical_pieces(model, settings.tilt_rad);
   task.checkpoint(0.3);

@@ -56,7 +56,8 @@ struct BuildingStrip {
   uint32_t facade = 0;
   double from_m = 0, to_m = 0;
   std::vector<std::vector<Vec2>>
-      outlines;  ///< as the facade's pieces; one rectangle, or what was clipped
+      outlines;         ///< as the facade's pieces; one rectangle, or what was clipped
+  double offset_m = 0;  ///< off the facade's plane, along its normal: of strips that were adjusted
 };
 
 struct BuildingTree {
@@ -75,6 +76,7 @@ struct BuildingTree {
 
 /// Steps: the vertical faces of each building (triangles that touch in one plane, where the model has
 /// no faces); normals turned outward by the footprint; strips; blocks of buildings that touch.
+/// A model of strips keeps its blocks, facades and strips (given_strips.h).
 /// Error(kInsufficientData) for a model without vertical faces. O(n log n); triangles
 /// of a bare mesh are compared pair by pair within a building.
 BuildingTree building_tree(const Model& model, const BuildingSettings& settings, Task& task);

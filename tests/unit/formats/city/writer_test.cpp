@@ -141,6 +141,49 @@ TEST_CASE("city_writer__tells_what_each_part_knows_and_nothing_that_is_no_number
   CHECK(told.size() == model.parts.size());  // surface, object or group: no part is lost
 }
 
+TEST_CASE("city_writer__with_attributes__tells_them_of_objects_surfaces_and_groups") {
+  const Folder folder;
+  const Model model = House().model();
+  PartAttributes attributes;
+  attributes.of_part.resize(model.parts.size());
+  for (uint32_t p = 0; p < model.parts.size(); ++p) {
+    attributes.add_whole(p, "strip_matches", 7 + p);
+    attributes.add(p, "strip_offset_m", 0.125 * p);
+    attributes.add(p, "strip_distance_before_m", NAN);
+  }
+  Task task;
+  write_city_attributes(model, attributes, folder.file("out"), {}, task);
+  const nlohmann::json file = nlohmann::json::parse(slurp(folder.file("out")));
+  std::set<uint32_t> told;
+  const auto tells = [&](const nlohmann::json& of) {
+    const auto part = of.at("part").get<uint32_t>();
+    told.insert(part);
+    CHECK(of.at("strip_matches").is_number_integer());
+    CHECK(of.at("strip_matches") == 7 + part);
+    CHECK(of.at("strip_offset_m") == 0.125 * part);
+    CHECK(!of.contains("strip_distance_before_m"));
+  };
+  for (const auto& [id, object] : file["CityObjects"].items()) {
+    if (object["attributes"].contains("part")) tells(object["attributes"]);
+    if (object["attributes"].contains("groups"))
+      for (const nlohmann::json& group : object["attributes"]["groups"]) tells(group);
+    for (const nlohmann::json& geometry : object["geometry"])
+      for (const nlohmann::json& surface : geometry["semantics"]["surfaces"]) tells(surface);
+  }
+  CHECK(told.size() == model.parts.size());
+  // They change nothing of what is read again.
+  write_city(model, folder.file("bare"), {}, task);
+  const Model with = read_city(ByteSource(folder.file("out")), {}, task),
+              bare = read_city(ByteSource(folder.file("bare")), {}, task);
+  REQUIRE(with.parts.size() == bare.parts.size());
+  for (size_t p = 0; p < bare.parts.size(); ++p) {
+    CHECK(with.parts[p].name == bare.parts[p].name);
+    CHECK(with.parts[p].part_class == bare.parts[p].part_class);
+    CHECK(with.parts[p].parent == bare.parts[p].parent);
+  }
+  CHECK(with.vertices == bare.vertices);
+}
+
 TEST_CASE("city_writer__refused_models_leave_no_file") {
   const Folder folder;
   const auto refusal = [&](const Model& model, double scale_m) {
