@@ -87,7 +87,8 @@
  *   MultiSurface, and a Solid for each solid; semantic surfaces WallSurface, Window and Door (children of the wall
  *   whose hole they fill), ClosureSurface (other openings), RoofSurface, GroundSurface. A window of which the
  *   hole alone is known gets a surface in the wall ("closes_opening"). Attributes carry name, class, evidence,
- *   copied_from, widths, sigma and the tree of parts; the CRS is written when it has an EPSG code and is metric.
+ *   copied_from, widths, sigma and the tree of parts, of an adjusted model also what moved each part (adjustment.h: not
+ *   read back; nor are attributes of other programs); the CRS is written when it has an EPSG code and is metric.
  *   Coordinates are stored in steps of "city_scale_m". Read back: faces, holes, parts, solids, CRS; of several levels
  *   of detail the highest; geometry templates are JALON_ERROR_UNSUPPORTED.
  * - GeoJSON (geojson), written: a Feature for each face and each opening without one, 3D positions in the model's own

@@ -166,7 +166,11 @@ void add_adjust(Command& app) {
   Command command = app.subcommand(
       "adjust", "Brings a mobile scan and a building model into agreement, each by its sigmas");
   auto state = std::make_shared<Adjust>();
-  command.option("model", state->model, "Buildings: CityJSON or OBJ").required().type_name("MODEL");
+  command
+      .option("model", state->model,
+              "Buildings: CityJSON or OBJ; an adjusted model.city.json keeps its strips")
+      .required()
+      .type_name("MODEL");
   command.option("cloud", state->cloud.path, "The scan, with the field time (s)")
       .required()
       .type_name("CLOUD");

@@ -107,6 +107,16 @@ for day in 1 4; do
   "$build/src/jalon" scan --quiet --scene earthworks --scene-set "$grid" --scene-set day=$day --method sample \
     --set points=300000 --set seed=$day -o "$work/day$day.las" || { failed=$((failed + 1)); echo "not ok - no scan of day $day"; }
 done
+# The model of strips that an adjustment gives, with attributes of what moved it.
+if [ -n "$cjval" ]; then
+  "$build/src/jalon" scan --method mobile -o "$work/drive.ply" --model "$work/street.obj" --trajectory "$work/drive.txt" --quiet \
+    --scene-set sigma_position_m=1 --scene-set leg_m=60 &&
+    "$build/src/jalon" adjust "$work/street.obj" "$work/drive.ply" "$work/drive.txt" -o "$work/adjusted" --quiet --strips-set touch_m=2 &&
+    "$cjval" "$work/adjusted/model.city.json" >"$work/adjusted.report" &&
+    "$python" -c 'import json, sys; r = json.load(sys.stdin); sys.exit(not r["valid"] or r["has_warnings"])' <"$work/adjusted.report" &&
+    { passed=$((passed + 1)); echo "ok - cjval: the model of an adjustment is valid"; } ||
+    { failed=$((failed + 1)); echo "not ok - cjval: the model of an adjustment is valid"; }
+fi
 # The models above as glTF: those with parts by way of CityJSON, the earth's mesh as OBJ.
 if [ -n "$gltf" ]; then
   files=()
