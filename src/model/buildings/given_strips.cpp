@@ -96,21 +96,23 @@ class GivenStrips {
     return sum / static_cast<double>(model_.rings[model_.faces[face].first_ring].count);
   }
 
+  double weight_of(uint32_t face) const { return std::max(0.0, model_.faces[face].area_m2); }
+
   void place_facade(uint32_t number) {
     BuildingFacade& facade = tree_.facades[number];
     Vec3 sum;
     double area_m2 = 0;
     for (const uint32_t s : strips_of_[number])
       for (const uint32_t f : faces_of_[s]) {
-        sum += model_.faces[f].plane.normal * model_.faces[f].area_m2;
-        area_m2 += model_.faces[f].area_m2;
+        sum += model_.faces[f].plane.normal * weight_of(f);
+        area_m2 += weight_of(f);
       }
     const double level = std::hypot(sum.x, sum.y);
     if (!(level > 0)) return;  // no strip of it has a face
     facade.normal = {sum.x / level, sum.y / level, 0};
     for (const uint32_t s : strips_of_[number])
       for (const uint32_t f : faces_of_[s])
-        facade.offset_m += mean_along(facade.normal, f) * model_.faces[f].area_m2 / area_m2;
+        facade.offset_m += mean_along(facade.normal, f) * weight_of(f) / area_m2;
     facade.from_m = facade.bottom_m = kInfinite, facade.to_m = facade.top_m = -kInfinite;
     for (const uint32_t s : strips_of_[number]) place_strip(facade, s);
   }
@@ -120,8 +122,8 @@ class GivenStrips {
     if (faces_of_[number].empty()) return;
     double sum = 0, area_m2 = 0, from = kInfinite, to = -kInfinite;
     for (const uint32_t f : faces_of_[number]) {
-      sum += mean_along(facade.normal, f) * model_.faces[f].area_m2;
-      area_m2 += model_.faces[f].area_m2;
+      sum += mean_along(facade.normal, f) * weight_of(f);
+      area_m2 += weight_of(f);
       std::vector<Vec2>& outline = strip.outlines.emplace_back();
       each_corner(f, [&](const Vec3& p) {
         outline.push_back({dot(facade.along(), p), p.z});
@@ -131,7 +133,7 @@ class GivenStrips {
       });
     }
     strip.from_m = from, strip.to_m = to;
-    strip.offset_m = sum / area_m2 - facade.offset_m;
+    if (area_m2 > 0) strip.offset_m = sum / area_m2 - facade.offset_m;
     facade.from_m = std::min(facade.from_m, from), facade.to_m = std::max(facade.to_m, to);
   }
 
@@ -145,15 +147,25 @@ class GivenStrips {
 
 bool is_of_strips(const Model& model) {
   const Numbered blocks(model, part_class::kBlock), buildings(model, part_class::kBuilding),
-      facades(model, part_class::kFacade);
-  bool has_strips = false;
+      facades(model, part_class::kFacade), strips(model, part_class::kStrip);
   for (uint64_t p = 0; p < model.parts.size(); ++p) {
-    if (model.parts[p].part_class != part_class::kStrip) continue;
-    if (facades.above(p) == kNoPart || buildings.above(p) == kNoPart || blocks.above(p) == kNoPart)
-      return false;
-    has_strips = true;
+    const std::string& part_class = model.parts[p].part_class;
+    const bool is_lost = (part_class == part_class::kStrip && facades.above(p) == kNoPart) ||
+                         (part_class == part_class::kFacade && buildings.above(p) == kNoPart) ||
+                         (part_class == part_class::kBuilding && blocks.above(p) == kNoPart);
+    if (is_lost) return false;
   }
-  return has_strips;
+  std::vector<const Face*> first_of(facades.size(), nullptr);
+  for (const Face& face : model.faces) {
+    if (strips.above(face.part) == kNoPart) continue;
+    const Face*& first = first_of[facades.above(face.part)];
+    if (first == nullptr) first = &face;
+    const Vec3& n = face.plane.normal;
+    constexpr double kSameWay = 0.996;  // 5 degrees, as building_strips takes facades
+    if (!(std::hypot(n.x, n.y) > kSameWay) || !(dot(n, first->plane.normal) > kSameWay))
+      return false;
+  }
+  return strips.size() > 0;
 }
 
 BuildingTree given_strips(const Model& model) { return GivenStrips(model).run(); }

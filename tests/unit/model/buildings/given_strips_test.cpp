@@ -87,7 +87,22 @@ TEST_CASE("is_of_strips__asks_for_facade_building_and_block_above_each") {
   Model houses;
   add_house(houses, {{0, 0, 0}}, "one");
   CHECK(!is_of_strips(houses));
+  // A building, a facade or a strip that stands below none.
+  for (const char* part_class : {"building", "facade", "strip"}) {
+    Model more = strips;
+    more.parts.push_back({"lost", part_class, kNoParent});
+    CHECK(!is_of_strips(more));
+  }
   for (Part& part : strips.parts)
     if (part.part_class == "block") part.part_class = "quarter";
   CHECK(!is_of_strips(strips));
+}
+
+TEST_CASE("is_of_strips__with_strips_that_lean_or_look_elsewhere__says_no") {
+  const Model strips = street_in_strips(false);
+  for (const Vec3& normal : {Vec3{0, 0.6, 0.8}, strips.faces[3].plane.normal * -1, Vec3{}}) {
+    Model other = strips;
+    other.faces[3].plane.normal = normal;
+    CHECK(!is_of_strips(other));
+  }
 }
