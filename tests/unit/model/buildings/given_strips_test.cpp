@@ -14,11 +14,11 @@ namespace {
 
 // On a national grid and turned: a house with gables beside one without, and one across the street.
 Model street_in_strips(bool others, StripTop top = StripTop::kRectangle) {
-  constexpr Vec3 kTown{652000.25, 6861000.5, 35}, kWay{0.6, 0.8, 0};
+  constexpr Vec3 kCorner{652000.25, 6861000.5, 35}, kWay{0.6, 0.8, 0};
   Model model;
-  add_house(model, {kTown, kWay, 10, 8, 6, 3}, "barn");
-  add_house(model, {kTown + kWay * 10, kWay, 12, 8, 7, 0}, "house");
-  add_house(model, {kTown + Vec3{0, 40, 0}, kWay, 9, 8, 6, 0}, "school");
+  add_house(model, {kCorner, kWay, 10, 8, 6, 3}, "barn");
+  add_house(model, {kCorner + kWay * 10, kWay, 12, 8, 7, 0}, "house");
+  add_house(model, {kCorner + Vec3{0, 40, 0}, kWay, 9, 8, 6, 0}, "school");
   BuildingSettings settings;
   settings.top = top;
   Task task;
