@@ -23,14 +23,13 @@ struct Convert {
 };
 
 /// What files of this name hold by the table of formats: "cloud", "model", or both for PLY; reading
-/// or writing. Names of no format that is known hold clouds, which text has any name for.
+/// or writing. The longest extension that is known tells; the name "ept.json" is one as a whole. Names of no format that
+/// is known hold clouds, which text has any name for.
 struct Holds {
   bool cloud = false, model = false;
 };
 
-Holds holds_of(const std::string& path, const char* ability) {
-  std::string name = std::filesystem::path(path).filename().string();
-  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+Holds holds_of_extension(const std::string& extension, const char* ability, bool& is_known) {
   Holds holds;
   uint64_t count = 0;
   must(jalon_format_count(&count));
@@ -38,10 +37,8 @@ Holds holds_of(const std::string& path, const char* ability) {
     const char *extensions = nullptr, *abilities = nullptr;
     must(jalon_format_info(i, nullptr, &extensions, &abilities));
     const std::string all = std::string(" ") + extensions + " ", able = abilities;
-    bool is_named = false;
-    for (size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
-      is_named = is_named || all.find(" " + name.substr(dot + 1) + " ") != std::string::npos;
-    if (!is_named) continue;
+    if (all.find(" " + extension + " ") == std::string::npos) continue;
+    is_known = true;
     const size_t comma = std::min(able.find(','), able.size());
     for (const std::string& part : {able.substr(0, comma), able.substr(comma)}) {
       const bool can = part.find(ability) != std::string::npos;
@@ -49,6 +46,18 @@ Holds holds_of(const std::string& path, const char* ability) {
       holds.model = holds.model || (can && part.find("model") != std::string::npos);
     }
   }
+  return holds;
+}
+
+Holds holds_of(const std::string& path, const char* ability) {
+  std::string name = std::filesystem::path(path).filename().string();
+  for (char& c : name) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const size_t first = name.find('.');
+  bool is_known = false;
+  Holds holds;
+  if (first != std::string::npos) holds = holds_of_extension(name, ability, is_known);
+  for (size_t dot = first; dot != std::string::npos && !is_known; dot = name.find('.', dot + 1))
+    holds = holds_of_extension(name.substr(dot + 1), ability, is_known);
   return holds;
 }
 

@@ -57,7 +57,9 @@ void check_output_folder(const std::string& path) {
 void check_output_file(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) refuse_output(path, "it is a folder; a file is needed");
-  const fs::path folder = fs::path(path).parent_path();
+  fs::path folder = fs::path(path).parent_path();
+  // The index of a data set of several files, whose folder its writer makes.
+  if (small(fs::path(path).filename().string()) == "ept.json") folder = folder.parent_path();
   if (!folder.empty() && !fs::is_directory(folder, ignored))
     refuse_output(path, "there is no folder " + folder.string());
 }
@@ -66,6 +68,8 @@ void check_output_file(const std::string& path, const char* content) {
   check_output_file(path);
   const std::string name = small(fs::path(path).filename().string());
   const std::string known = written_extensions(content);
+  if (name.find('.') != std::string::npos && known.find(" " + name + " ") != std::string::npos)
+    return;
   for (size_t dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
     if (known.find(" " + name.substr(dot + 1) + " ") != std::string::npos) return;
   std::string list;

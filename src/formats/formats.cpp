@@ -42,13 +42,17 @@ std::string extension_of(const std::string& path) {
   return lower(std::string_view(path).substr(dot + 1));
 }
 
-// The number of letters of the longest of the format's extensions that the name has; 0 = none.
+// The number of letters of the longest of the format's extensions that the name has; 0 = none. One of two parts may be
+// the whole name: "ept.json".
 size_t extension_length(const Format& format, const std::string& name) {
   size_t longest = 0;
   std::string_view rest = format.extensions;
   while (!rest.empty()) {
     const size_t end = std::min(rest.find(' '), rest.size());
-    if (name.ends_with("." + std::string(rest.substr(0, end)))) longest = std::max(longest, end);
+    const std::string extension(rest.substr(0, end));
+    if (name.ends_with("." + extension) ||
+        (name == extension && name.find('.') != std::string::npos))
+      longest = std::max(longest, end);
     rest.remove_prefix(std::min(end + 1, rest.size()));
   }
   return longest;

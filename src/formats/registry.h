@@ -13,6 +13,7 @@
 #include "formats/city/city.h"
 #include "formats/dxf/dxf.h"
 #include "formats/e57/e57.h"
+#include "formats/ept/ept.h"
 #include "formats/files/byte_source.h"
 #include "formats/files/cloud_pieces.h"
 #include "formats/geojson/geojson.h"
@@ -180,6 +181,11 @@ inline constexpr Format kFormats[] = {
      .read_cloud = read_png,
      .write_cloud = write_png,
      .component = kLibpng},
+    {.name = "EPT",
+     .keyword = "ept",
+     .extensions = "ept.json",
+     .write_cloud = write_ept,
+     .keeps_stations = true},
     {.name = "PTX", .keyword = "ptx", .extensions = "ptx", .read_cloud = read_ptx},
     {.name = "PTS",
      .keyword = "pts",

@@ -28,7 +28,7 @@ SUBROOMS = {
     "spatial": {"octree": [], "neighbours": ["octree"], "triangles": [], "voxels": []},
     "scan": {"mobile": [], "builder": [], "grammar": ["builder"], "yard": ["builder"], "scenes": ["grammar", "yard"]},
     "formats": {
-        "files": [], "units": ["files"], "text": ["files"], "codecs": ["files"], "las": ["units", "codecs"], "e57": ["codecs"], "ply": ["text"], "obj": ["text"],
+        "files": [], "units": ["files"], "text": ["files"], "codecs": ["files"], "las": ["units", "codecs"], "e57": ["codecs"], "ept": ["las"], "ply": ["text"], "obj": ["text"],
         "stl": ["text"], "ptx": ["text"], "pts": ["text"], "pcd": ["text"], "city": ["units"], "dxf": ["text", "units"], "geojson": ["units"], "geopackage": ["units"], "glb": ["files"], "ifc": ["units"], "drawings": ["files"], "png": ["files"],
         "trajectory": ["text"],
     },

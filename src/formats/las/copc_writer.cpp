@@ -16,19 +16,6 @@ namespace {
 
 constexpr size_t kCopcGrain = size_t{1} << 16;  // points a chunk
 
-// The coordinates that the file will give back, in its unit: nodes are told by them.
-Buffer<double> coordinates_in_file(const Plan& plan, const Cloud& cloud, Task& task) {
-  Buffer<double> out(3 * cloud.size());
-  const std::span<const double> xyz = cloud.xyz();
-  parallel_for(task, cloud.size(), kCopcGrain, [&](size_t begin, size_t end) {
-    for (size_t i = 3 * begin; i < 3 * end; ++i) {
-      const int axis = static_cast<int>(i % 3);
-      out[i] = steps_of(plan, xyz[i], axis) * plan.scale[axis] + plan.offset[axis];
-    }
-  });
-  return out;
-}
-
 struct Times {
   double min = std::numeric_limits<double>::infinity();
   double max = -std::numeric_limits<double>::infinity();
@@ -61,6 +48,18 @@ Times times_of(const Plan& plan, Task& task) {
 }
 
 }  // namespace
+
+Buffer<double> coordinates_in_file(const Plan& plan, const Cloud& cloud, Task& task) {
+  Buffer<double> out(3 * cloud.size());
+  const std::span<const double> xyz = cloud.xyz();
+  parallel_for(task, cloud.size(), kCopcGrain, [&](size_t begin, size_t end) {
+    for (size_t i = 3 * begin; i < 3 * end; ++i) {
+      const int axis = static_cast<int>(i % 3);
+      out[i] = steps_of(plan, xyz[i], axis) * plan.scale[axis] + plan.offset[axis];
+    }
+  });
+  return out;
+}
 
 CopcWriter::CopcWriter(const Plan& plan, const Cloud& cloud, Task& task) {
   const Times times = times_of(plan, task);

@@ -12,6 +12,9 @@
 
 namespace jalon::las {
 
+/// The coordinates that a file of these steps will give back, in its unit: nodes are told by them.
+Buffer<double> coordinates_in_file(const Plan& plan, const Cloud& cloud, Task& task);
+
 /// What makes a LAZ file one of COPC: its points node by node, and the records that tell of them.
 class CopcWriter {
  public:

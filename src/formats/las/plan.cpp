@@ -256,4 +256,11 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings&
   return plan;
 }
 
+Plan plan_of_steps(const Cloud& cloud, const std::string& path, double scale_m, Task& task) {
+  Plan plan;
+  plan.old_header = origin_of(cloud).header;
+  choose_steps(plan, cloud, path, scale_m, task);
+  return plan;
+}
+
 }  // namespace jalon::las
