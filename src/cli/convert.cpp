@@ -23,8 +23,8 @@ struct Convert {
 };
 
 /// What files of this name hold by the table of formats: "cloud", "model", or both for PLY; reading
-/// or writing. The longest extension that is known tells; the name "ept.json" is one as a whole. Names of no format that
-/// is known hold clouds, which text has any name for.
+/// or writing. The longest extension that is known tells; the name "ept.json" is one as a whole.
+/// Names of no format that is known hold clouds, which text has any name for.
 struct Holds {
   bool cloud = false, model = false;
 };

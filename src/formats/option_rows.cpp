@@ -127,7 +127,7 @@ constexpr auto kWriteCloudRows = setting_rows(
         "las_version", "auto|1.2|1.4", "las,laz",
         "auto: that of the file it came from, 1.2 where it holds all fields, 1.3 for wave packets"),
     number_row<&WriteSettings::scale>(
-        "scale", 0, 1000, "m", "las,laz,copc,e57",
+        "scale", 0, 1000, "m", "las,laz,copc,ept,e57",
         "Step of the stored coordinates; 0: that of the file it came from, else 0.0001 m; of E57: "
         "whole doubles"),
     choice_row<&WriteSettings::ply_format>("ply_format", "binary|binary_big_endian|ascii", "ply",

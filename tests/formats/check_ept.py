@@ -3,11 +3,12 @@
 """An EPT data set in its binary form read by nothing but its definition (entwine.io/entwine-point-tile.html) and Python's
 struct: check_ept.py EPT.JSON SCAN.CSV COLUMN=DIMENSION ...
 
-The CSV has the same points in any order, exactly. Coordinates come back to half a step, fields as they are; the hierarchy's
+The CSV has the same points in any order, in steps of the data set. Coordinates come back to half a step, fields as they are; the hierarchy's
 numbers add up to the points, each node's to its file, and each point lies in its node's cell."""
 
 import csv
 import json
+import math
 import pathlib
 import struct
 import sys
@@ -73,7 +74,7 @@ def main(path, scan, *pairs):
     if ours != given:
         sys.exit("the points are others: %s, %s" % next(pair for pair in zip(ours, given) if pair[0] != pair[1]))
     for dimension in index["schema"]:
-        values = [point[dimension["name"]] for point in points]
+        values = [point[dimension["name"]] for point in points if math.isfinite(point[dimension["name"]])]
         if "minimum" in dimension and (dimension["minimum"], dimension["maximum"]) != (min(values), max(values)):
             sys.exit("the extremes of %s are others" % dimension["name"])
         if "counts" in dimension and {c["value"]: c["count"] for c in dimension["counts"]} != {v: values.count(v) for v in set(values)}:

@@ -3,6 +3,7 @@
 #include "formats/ept/data_set.h"
 
 #include <cerrno>
+#include <new>
 
 #include "base/error.h"
 #include "formats/files/system_error.h"
@@ -59,7 +60,7 @@ DataSet::~DataSet() { undo(); }
 void DataSet::take_private_folder() {
   std::error_code error;
   for (int i = 0; i < kDataSetTries; ++i) {
-    const fs::path path = folder_ / (".jalon-ept-" + std::to_string(i));
+    fs::path path = folder_ / (".jalon-ept-" + std::to_string(i));
     fs::create_directory(path, error);
     if (error) refuse(path, "make the folder", error.message());
     const std::string lock = text_of_path(path / kLockFile);
@@ -67,8 +68,8 @@ void DataSet::take_private_folder() {
     lock_ = create_locked(lock);
     if (lock_ == kNoFile && errno == EEXIST) continue;
     if (lock_ == kNoFile) refuse(path, "write", system_error_text(errno));
-    private_ = path;
-    for (const fs::directory_entry& left : fs::directory_iterator(path, error))
+    private_.swap(path);
+    for (const fs::directory_entry& left : fs::directory_iterator(private_, error))
       if (left.path().filename() != kLockFile) fs::remove_all(left.path(), error);
     return;
   }
@@ -90,7 +91,6 @@ void DataSet::write(const char* folder, const std::string& name, const void* dat
 
 void DataSet::move(const Path& from, const Path& to) {
   std::error_code error;
-  if (!fs::exists(fs::symlink_status(from, error))) return;
   moved_.emplace_back(from, to);
   fs::rename(from, to, error);
   if (!error) return;
@@ -98,14 +98,18 @@ void DataSet::move(const Path& from, const Path& to) {
   refuse(from, "move", error.message());
 }
 
+void DataSet::move_away(const Path& old, const char* to) {
+  std::error_code ignored;
+  if (fs::exists(fs::symlink_status(old, ignored))) move(old, private_ / to);
+}
+
 // In between there is no index, so that nobody takes the files of two data sets for one.
 void DataSet::commit(std::string_view index) {
   index_->write(index);
-  move(index_path_, private_ / "old-index");
-  for (const char* name : {kDataFolder, kHierarchyFolder}) {
-    move(folder_ / name, private_ / (std::string("old-") + name));
-    move(private_ / name, folder_ / name);
-  }
+  move_away(index_path_, "old-index");
+  move_away(folder_ / kDataFolder, "old-data");
+  move_away(folder_ / kHierarchyFolder, "old-hierarchy");
+  for (const char* name : {kDataFolder, kHierarchyFolder}) move(private_ / name, folder_ / name);
   index_->commit();
   moved_.clear();
   made_folder_ = false;
@@ -117,7 +121,10 @@ void DataSet::undo() noexcept {
     fs::rename(moved_.back().second, moved_.back().first, ignored);
   index_.reset();
   if (lock_ != kNoFile) close_file(std::exchange(lock_, kNoFile));
-  if (!private_.empty()) fs::remove_all(private_, ignored);
+  try {
+    if (!private_.empty()) fs::remove_all(private_, ignored);
+  } catch (const std::bad_alloc&) {  // the next writer takes away what is left
+  }
   if (made_folder_) fs::remove(folder_, ignored);  // only where it is empty
 }
 

@@ -39,6 +39,7 @@ class DataSet {
   void take_private_folder();
   void make_folder(const Path& path);
   void move(const Path& from, const Path& to);
+  void move_away(const Path& old, const char* to);
   void undo() noexcept;
 
   Path index_path_, folder_, private_;

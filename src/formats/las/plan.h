@@ -51,8 +51,8 @@ enum class Profile { kPlain, kCopc };
 Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task, Profile profile = Profile::kPlain);
 
-/// Scale and offset alone, for coordinates in metres: those of the LAS file that the cloud came from where they give all
-/// coordinates back, else steps of `scale_m`, or (0) of 0.0001 m or the next power of ten that fits.
+/// Scale and offset alone, for coordinates in metres: those of the LAS file that the cloud came from where they
+/// give all coordinates back, else steps of `scale_m`, or (0) of 0.0001 m or the next power of ten that fits.
 Plan plan_of_steps(const Cloud& cloud, const std::string& path, double scale_m, Task& task);
 
 // The parts of it.

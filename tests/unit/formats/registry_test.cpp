@@ -47,7 +47,8 @@ TEST_CASE("registry__choices_of_the_options_are_the_formats_that_have_the_functi
   CHECK(std::string(read_rows()[0].choices) ==
         "auto|copc|laz|e57|las|ply|pcd|png|ptx|pts|text|obj|stl|cityjson|dxf");
   CHECK(std::string(write_rows()[0].choices) ==
-        "auto|copc|laz|e57|las|ply|pcd|png|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc|gpkg");
+        "auto|copc|laz|e57|las|ply|pcd|png|ept|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc|"
+        "gpkg");
 }
 
 TEST_CASE("registry__every_choice_reads_or_writes_something") {
@@ -60,7 +61,8 @@ TEST_CASE("registry__every_choice_reads_or_writes_something") {
     CAPTURE(format.name);
     WriteSettings settings;
     settings.format = format.keyword;
-    const std::string path = folder.file("file_without_extension");
+    const std::string path =
+        folder.file(format.name == std::string("EPT") ? "ept.json" : "file_without_extension");
     if (format.write_model != nullptr) CHECK_NOTHROW(write_model({}, path, settings, task));
     if (format.write_cloud != nullptr)
       CHECK_NOTHROW(write_cloud(random_points(3, 1), path, settings, task));
@@ -80,6 +82,7 @@ TEST_CASE("registry__abilities_follow_from_the_functions") {
                      "PLY: ply: cloud read write, model read write",
                      "PCD: pcd: cloud read write",
                      std::string("PNG: png: ") + (png::has_libpng() ? "cloud read write" : ""),
+                     "EPT: ept.json: cloud write",
                      "PTX: ptx: cloud read",
                      "PTS: pts: cloud read write",
                      "Text: xyz txt asc: cloud read write",
@@ -108,7 +111,7 @@ TEST_CASE("registry__rows_are_whole") {
 
 TEST_CASE("registry__messages_list_what_the_rows_can") {
   CHECK(refusal("a.geojson", "{}", true) ==
-        "GeoJSON, glTF, IFC and GeoPackage are written, not read");
+        "EPT, GeoJSON, glTF, IFC and GeoPackage are written, not read");
   CHECK(refusal("a", "\x01\x02", false) ==
         "neither COPC, LAZ, E57, LAS, PLY, PCD, PNG, PTX, PTS, OBJ, STL, CityJSON, DXF nor text");
   CHECK(refusal("a.obj", "v 0 0 0\n", false) ==
@@ -118,7 +121,7 @@ TEST_CASE("registry__messages_list_what_the_rows_can") {
     CHECK(has_text(refusal("a.xyz", "ASTM-E57 and more", false), "E57 needs the component"));
   CHECK(refusal_to_write("a.doc", false) ==
         "no format of extension \"doc\" can be written; there are: copc.laz, laz, e57, las, ply, "
-        "pcd, png, pts, "
+        "pcd, png, ept.json, pts, "
         "xyz, txt, asc, csv");
   CHECK(refusal_to_write("a.svg", true) ==
         "no format of extension \"svg\" can be written; there are: ply, obj, stl, city.json, "
