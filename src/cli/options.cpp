@@ -172,7 +172,9 @@ std::string describe(jalon_params* params) {
 }
 
 void Input::add_to(Command& command, bool required) {
-  command.option("scan", path, "Scan file: LAS, LAZ, COPC, E57, PTX, PTS, PCD, PLY, XYZ, TXT, CSV")
+  command
+      .option("scan", path,
+              "Scan file: LAS, LAZ, COPC, EPT, E57, PTX, PTS, PCD, PLY, XYZ, TXT, CSV")
       .required(required)
       .type_name("SCAN");
   add_reading_to(command);

@@ -190,12 +190,13 @@ Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& ta
   const ByteSource source(path);
   const Format& format = format_to_read(source, settings);
   if (format.read_cloud != nullptr) {
-    const bool has_levels = is_copc(source);
+    const bool has_levels = format.has_levels || is_copc(source);
     settings.box_m();  // refused before anything is read
     if (settings.spacing_m > 0 && !has_levels)
       fail(Status::kUnsupported,
-           "%s: the option \"spacing_m\" is of COPC files, which have their points in levels; read "
-           "this one whole and subsample it",
+           "%s: the option \"spacing_m\" is of COPC files and EPT, which have their points in "
+           "levels; "
+           "read this one whole and subsample it",
            path.c_str());
     Cloud cloud = with_station_file(format.read_cloud(source, settings, task), source.path(),
                                     !has_levels || settings.reads_all(), task);

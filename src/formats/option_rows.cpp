@@ -94,11 +94,11 @@ constexpr auto kPlaceRows = setting_rows(
     doubles_row<&ReadSettings::box>(
         "box", -1e15, 1e15, "m", "",
         "Read a cloud's points in this closed box alone: least x, y, z, then greatest. Of a COPC "
-        "file only the nodes that it touches are read. Empty: all points"),
-    number_row<&ReadSettings::spacing_m>(
-        "spacing_m", 0, 1e9, "m", "copc",
-        "Read a COPC file's octree down to the level whose points stand no wider apart than this; "
-        "0: all points"),
+        "file and of EPT only the nodes that it touches are read. Empty: all points"),
+    number_row<&ReadSettings::spacing_m>("spacing_m", 0, 1e9, "m", "copc,ept",
+                                         "Read the octree of a COPC file or of EPT down to the "
+                                         "level whose points stand no wider apart than this; "
+                                         "0: all points"),
     number_row<&ReadSettings::png_source_pixel_m>(
         "png_source_pixel_m", 0, 1000, "m", "png",
         "Edge of a pixel of a PNG file that tells none, neither itself nor by a world file (pgw)"),

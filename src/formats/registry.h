@@ -97,6 +97,7 @@ struct Format {
   bool keeps_stations = false;  ///< its files have a place for all stations of a cloud
   bool keeps_station = false;   ///< that of a cloud with one
   bool knows_units = false;     ///< its reader heeds the option "unit" and what the file says of it
+  bool has_levels = false;      ///< all its files have their points in levels of a spacing
   bool reads_as_another = false;       ///< by the reader of a row before, which users name instead
   bool is_drawing = false;             ///< written by the room report
   Component component = kNoComponent;  ///< that it needs
@@ -184,8 +185,10 @@ inline constexpr Format kFormats[] = {
     {.name = "EPT",
      .keyword = "ept",
      .extensions = "ept.json",
+     .read_cloud = read_ept,
      .write_cloud = write_ept,
-     .keeps_stations = true},
+     .keeps_stations = true,
+     .has_levels = true},
     {.name = "PTX", .keyword = "ptx", .extensions = "ptx", .read_cloud = read_ptx},
     {.name = "PTS",
      .keyword = "pts",

@@ -63,7 +63,7 @@ check "formats lists extensions and abilities" bash -c "'$jalon' formats | grep 
 check "convert LAS to PLY" "$jalon" convert sample.las sample.ply
 check "convert PLY to XYZ" "$jalon" convert quiet.las quiet.xyz
 check "convert XYZ to LAS keeps the points" bash -c "'$jalon' convert quiet.xyz back.las --quiet && [ \$('$jalon' info back.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') -eq \$('$jalon' info quiet.las --json | python3 -c 'import json,sys; print(json.load(sys.stdin)[\"points\"])') ]"
-check "convert writes EPT, whose definition alone reads it" bash -c "'$jalon' convert quiet.las quiet.csv --quiet && '$jalon' convert quiet.csv tiles/ept.json --quiet && python3 '$root/tests/formats/check_ept.py' tiles/ept.json quiet.csv"
+check "convert writes EPT, whose definition alone reads it" bash -c "'$jalon' convert quiet.las quiet.csv --quiet && '$jalon' convert quiet.csv tiles/ept.json --quiet && python3 '$root/tests/formats/check_ept.py' tiles/ept.json quiet.csv && '$jalon' info tiles/ept.json --spacing 1e9 --json | grep -q points"
 refuses "an EPT data set of another name" 2 'folder/ept.json' "$jalon" convert quiet.las tiles.ept.json
 has_codecs=$("$jalon" formats | grep -c '^LAZ .*read write')
 if [ "$has_codecs" -ne 0 ]; then

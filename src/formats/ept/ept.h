@@ -6,6 +6,7 @@
 
 #include "base/task.h"
 #include "cloud/cloud.h"
+#include "formats/files/byte_source.h"
 #include "formats/settings.h"
 
 namespace jalon {
@@ -15,5 +16,7 @@ namespace jalon {
 /// set that was there before is replaced as a whole, or stays.
 void write_ept(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                Task& task);
+/// The same form, of any maker; of what the options "box" and "spacing_m" ask for, whole nodes.
+Cloud read_ept(const ByteSource& source, const ReadSettings& settings, Task& task);
 
 }  // namespace jalon

@@ -54,12 +54,6 @@ std::string known_name(const FieldInfo& info, uint32_t component) {
   return info.name.empty() ? "field" : info.name;
 }
 
-const char* kind_of(ElementType type) {
-  if (is_floating(type)) return "float";
-  return static_cast<int32_t>(type) % 2 == 1 ? "signed"
-                                             : "unsigned";  // the numbers of jalon/types.h
-}
-
 /// Of finite values.
 struct Sum {
   uint64_t count = 0;
@@ -133,6 +127,18 @@ void add_counts(const Dimension& dimension, JsonWriter& json, Task& task) {
 }
 
 }  // namespace
+
+const char* kind_of(ElementType type) {
+  if (is_floating(type)) return "float";
+  return static_cast<int32_t>(type) % 2 == 1 ? "signed"
+                                             : "unsigned";  // the numbers of jalon/types.h
+}
+
+std::string field_of(const std::string& dimension) {
+  for (const auto& [ours, theirs] : kNames)
+    if (dimension == theirs) return ours;
+  return dimension;
+}
 
 Schema make_schema(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                    Task& task) {

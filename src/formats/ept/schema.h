@@ -31,6 +31,10 @@ struct Schema {
   std::string station;  ///< the dimension that numbers the points' stations, or none
 };
 
+/// "signed", "unsigned" or "float".
+const char* kind_of(ElementType type);
+/// What the field of a dimension of this name is called here.
+std::string field_of(const std::string& dimension);
 /// Fields of LAS are called as EPT's readers know them (Intensity, GpsTime ...), components of normals NormalX, NormalY
 /// and NormalZ, those of others by their number.
 Schema make_schema(const Cloud& cloud, const std::string& path, const WriteSettings& settings,

@@ -143,7 +143,7 @@ TEST_CASE("formats__where_the_option_names_a_format_that_cannot_do_it_the_option
   from.format = "obj";
   says(failure_of([&] { read(folder.file("a.las"), from); }),
        "no cloud can be read in format \"obj\", which the option \"format\" names; there are: "
-       "copc, laz, e57, las, ply, pcd, png, ptx, pts, text");
+       "copc, laz, e57, las, ply, pcd, png, ept, ptx, pts, text");
   from.format = "las";
   says(failure_of([&] { read_model(folder.file("a.las"), from, task); }),
        "no model can be read in format \"las\", which the option \"format\" names; there are: "

@@ -45,7 +45,7 @@ std::string refusal_to_write(const std::string& name, bool model) {
 
 TEST_CASE("registry__choices_of_the_options_are_the_formats_that_have_the_function") {
   CHECK(std::string(read_rows()[0].choices) ==
-        "auto|copc|laz|e57|las|ply|pcd|png|ptx|pts|text|obj|stl|cityjson|dxf");
+        "auto|copc|laz|e57|las|ply|pcd|png|ept|ptx|pts|text|obj|stl|cityjson|dxf");
   CHECK(std::string(write_rows()[0].choices) ==
         "auto|copc|laz|e57|las|ply|pcd|png|ept|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc|"
         "gpkg");
@@ -82,7 +82,7 @@ TEST_CASE("registry__abilities_follow_from_the_functions") {
                      "PLY: ply: cloud read write, model read write",
                      "PCD: pcd: cloud read write",
                      std::string("PNG: png: ") + (png::has_libpng() ? "cloud read write" : ""),
-                     "EPT: ept.json: cloud write",
+                     "EPT: ept.json: cloud read write",
                      "PTX: ptx: cloud read",
                      "PTS: pts: cloud read write",
                      "Text: xyz txt asc: cloud read write",
@@ -111,9 +111,10 @@ TEST_CASE("registry__rows_are_whole") {
 
 TEST_CASE("registry__messages_list_what_the_rows_can") {
   CHECK(refusal("a.geojson", "{}", true) ==
-        "EPT, GeoJSON, glTF, IFC and GeoPackage are written, not read");
+        "GeoJSON, glTF, IFC and GeoPackage are written, not read");
   CHECK(refusal("a", "\x01\x02", false) ==
-        "neither COPC, LAZ, E57, LAS, PLY, PCD, PNG, PTX, PTS, OBJ, STL, CityJSON, DXF nor text");
+        "neither COPC, LAZ, E57, LAS, PLY, PCD, PNG, EPT, PTX, PTS, OBJ, STL, CityJSON, DXF nor "
+        "text");
   CHECK(refusal("a.obj", "v 0 0 0\n", false) ==
         "OBJ, STL, CityJSON and DXF hold a model, no cloud");
   CHECK(refusal("a.xyz", "1 2 3\n", true) == "no model; models are CityJSON, DXF, OBJ, PLY or STL");
