@@ -29,14 +29,14 @@
  *   the levels follow one another. A CRS is kept as in LAS; other programs want it as WKT, which UTM on WGS 84 and
  *   on ETRS89, Lambert-93 and CC42 to CC50 get from their EPSG code; of other codes a warning says that they have
  *   none. The same bytes for any number of threads.
- * - EPT (ept.json), read and written: Entwine Point Tile 1.0 in its binary form, a folder that the path of its ept.json names
- *   and that is made where there is none: the points of each node of the octree that COPC has as
- *   ept-data/D-X-Y-Z.bin, their numbers in ept-hierarchy. The data set appears whole, in place of an old one. Fields in
- *   their types under the names that readers know (Intensity, Classification, GpsTime, NormalX ...), other components
- *   by their number, with their extremes, mean and deviation; the CRS by EPSG code and WKT where its unit is the metre.
- *   Stations as in LAS, told by "jalon" in ept.json. The order is that of the nodes; the same bytes for any number of
- *   threads. Read: with "box" and "spacing_m" the nodes that the box touches, down to the first level whose points stand
- *   no wider apart; points as LAZ and a hierarchy as gzip are JALON_ERROR_UNSUPPORTED.
+ * - EPT (ept.json), read and written: Entwine Point Tile 1.0 in its binary form, a folder that the path of its
+ *   ept.json names and that is made where there is none: the points of each node of the octree that COPC has as
+ *   ept-data/D-X-Y-Z.bin, their numbers in ept-hierarchy. The data set appears whole, in place of an old one. Fields
+ *   in their types under the names that readers know (Intensity, Classification, GpsTime, NormalX ...), other
+ *   components by their number, with their extremes, mean and deviation; the CRS by EPSG code and WKT where its unit
+ *   is the metre. Stations as in LAS, told by "jalon" in ept.json. The order is that of the nodes; the same bytes for
+ *   any number of threads. Read: with "box" and "spacing_m" the nodes that the box touches, down to the first level
+ *   whose points stand no wider apart; points as LAZ and a hierarchy as gzip are JALON_ERROR_UNSUPPORTED.
  * - E57 (e57), read and written: a station for each scan, points moved by its pose, those marked invalid left out.
  *   Fields row and column (uint32), intensity (float32), red, green, blue (uint8, or uint16 where a scan has more than
  *   255), return_number (from 1), number_of_returns, time (s), normal, and those of extensions in the smallest type

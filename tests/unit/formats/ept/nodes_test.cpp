@@ -17,26 +17,28 @@ Failure refusal(const EptFolder& set) {
 
 TEST_CASE("ept_nodes__hierarchies_that_lie_are_refused_with_their_file") {
   const Cloud cloud = wall_and_ground(100, 51);
-  const std::pair<const char*, const char*> lies[] = {
-      {"{\"0-0-0-0\":99}", "points"},
-      {"{\"0-0-0-0\":100000000000000}", "points"},
-      {"{\"0-0-0-0\":-2}", "no node"},
-      {"{\"0-0-0-0\":1.5}", "no node"},
-      {"{\"0-0-0-0\":100,\"0-0-0-0\":100}", "twice"},
-      {"{\"0-0-0-0\":-1}", "its own file"},
-      {"{\"0-0-0-0\":100,\"1-2-0-0\":1}", "no node"},
-      {"{\"0-0-0-0\":100,\"1-0-0-0/../../x\":1}", "no node"},
-      {"{\"0-0-0-0\":100,\"99-0-0-0\":1}", "no node"},
-      {"{\"0-0-0-0\":100,\"1--1-0-0\":1}", "no node"},
-      {"[1]", "no object"},
-      {"nonsense", "JSON"}};
-  for (const auto& [text, words] : lies) {
-    CAPTURE(text);
+  struct Lie {
+    const char *text, *words;
+  };
+  const Lie lies[] = {{"{\"0-0-0-0\":99}", "points"},
+                      {"{\"0-0-0-0\":100000000000000}", "points"},
+                      {"{\"0-0-0-0\":-2}", "no node"},
+                      {"{\"0-0-0-0\":1.5}", "no node"},
+                      {"{\"0-0-0-0\":100,\"0-0-0-0\":100}", "twice"},
+                      {"{\"0-0-0-0\":-1}", "its own file"},
+                      {"{\"0-0-0-0\":100,\"1-2-0-0\":1}", "no node"},
+                      {"{\"0-0-0-0\":100,\"1-0-0-0/../../x\":1}", "no node"},
+                      {"{\"0-0-0-0\":100,\"99-0-0-0\":1}", "no node"},
+                      {"{\"0-0-0-0\":100,\"1--1-0-0\":1}", "no node"},
+                      {"[1]", "no object"},
+                      {"nonsense", "JSON"}};
+  for (const Lie& lie : lies) {
+    CAPTURE(lie.text);
     const EptFolder set(cloud);
-    spill(set.file(kRootHierarchy), text);
+    spill(set.file(kRootHierarchy), lie.text);
     const Failure failure = refusal(set);
     CHECK(failure.status == Status::kFormat);
-    CHECK_MESSAGE(has_text(failure.text, words), failure.text);
+    CHECK_MESSAGE(has_text(failure.text, lie.words), failure.text);
     CHECK(has_text(failure.text, "ept-"));
   }
 }
