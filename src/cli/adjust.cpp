@@ -179,9 +179,7 @@ void add_adjust(Command& app) {
               "Of the vehicle, with sigmas of position: text with named columns, or SBET")
       .required()
       .type_name("TRAJECTORY");
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   command.option("--sigmas", state->sigmas, "The file smrmsg that goes with SBET")
       .type_name("FILE");
   command

@@ -18,8 +18,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kModelFiles[] = {"model.dxf", "model.city.json", "model.geojson"};
 
-constexpr size_t kMostListed =
-    20;  // objects or targets on the screen; all of them stand in the CSV file
+// Objects or targets on the screen; all of them stand in the CSV file.
+constexpr size_t kMostListed = 20;
 
 std::string words(const Json& list) {
   std::string out;
@@ -261,9 +261,7 @@ void add_targets(Command& app) {
               "Targets that were put up (JSON): kind, size and code of each")
       .required()
       .type_name("CATALOGUE");
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   state->settings.add_to(command);
   add_common(command, state->common);
   command.footer([] {
@@ -296,9 +294,7 @@ void add_code(Command& app) {
   command.option("codes", state->codes, "Coded points, a line each: ID;X;Y;Z;code")
       .required()
       .type_name("CODES");
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   command
       .option("--method", state->method,
               "How the objects were coded: by targets on them or by a total station")

@@ -322,9 +322,7 @@ void add_compare(Command& app) {
           "The scan whose points get them (after), or a model, which gives points on its surfaces")
       .required()
       .type_name("COMPARED");
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   command
       .option("--method", state->method,
               "How distances are measured; the parameters below tell which there are")

@@ -201,9 +201,7 @@ void add_facade(Command& app) {
       "facade", "From a scan to planes, a model with windows and doors, a drawing and a report");
   auto state = std::make_shared<Facade>();
   state->input.add_to(command);
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   command
       .option("--tolerance", state->tolerance_m,
               "Half-thickness of a plane (m); default: the segmenter's")

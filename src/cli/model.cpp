@@ -131,9 +131,7 @@ void add_model(Command& app) {
       "model", "From segments to a vector model: files for CAD, a drawing and a report");
   auto state = std::make_shared<ModelJob>();
   state->input.add_to(command);
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   command
       .option(
           "--labels", state->labels,

@@ -165,9 +165,7 @@ void add_network(Command& app) {
       .option("--points", state->points,
               "Fixed, weak and approximate points: columns id, x, y, z, sx, sy, sz, code")
       .type_name("FILE");
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   state->settings.add_to(command);
   add_common(command, state->common);
   command.footer([] {

@@ -217,6 +217,10 @@ void Input::add_points_to(Command& command, const std::string& prefix) {
       .type_name("M");
 }
 
+void add_output_folder(Command& command, std::string& output) {
+  command.option("-o,--output", output, "Folder for the results").required().type_name("DIR");
+}
+
 void add_reading_of_two(Command& command, Input& first, const std::string& first_prefix,
                         Input& second, const std::string& second_prefix) {
   first.add_reading_to(command, first_prefix);

@@ -76,6 +76,9 @@ struct Input {
   Cloud read(Console& console) const;
 };
 
+/// The folder that a command writes, which must be told.
+void add_output_folder(Command& command, std::string& output);
+
 /// The reading of two scans: what is of one stands behind its prefix.
 void add_reading_of_two(Command& command, Input& first, const std::string& first_prefix,
                         Input& second, const std::string& second_prefix);

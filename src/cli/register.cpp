@@ -248,9 +248,7 @@ void add_register(Command& app) {
   command.option("moving", state->moving.path, "The scan that is laid onto it")
       .required()
       .type_name("MOVING");
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   command
       .option("--method", state->method,
               "automatic: from anywhere, coarse, then icp (the default); icp: from a start that is "

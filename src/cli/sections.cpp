@@ -155,9 +155,7 @@ void add_sections(Command& app) {
       "sections", "Sections of a scan as drawings: at heights, along a direction or an alignment");
   auto state = std::make_shared<SectionJob>();
   state->input.add_to(command);
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   command.option("--heights", state->heights, "Level sections at these heights (m)")
       .type_name("Z,Z,...");
   command

@@ -220,9 +220,7 @@ void add_segment(Command& app) {
       "segment", "From a scan to labelled points, a table of the segments and a picture of them");
   auto state = std::make_shared<Segment>();
   state->input.add_to(command);
-  command.option("-o,--output", state->output, "Folder for the results")
-      .required()
-      .type_name("DIR");
+  add_output_folder(command, state->output);
   command
       .option("--method", state->method,
               "How segments are found; the parameters below tell which there are")
