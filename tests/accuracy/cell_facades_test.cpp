@@ -11,7 +11,8 @@
 #include "modelling/facade/facade.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::cell_facades_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -63,3 +64,5 @@ TEST_CASE("cell_facades__seeds_kept_for_the_report_have_a_table_of_both_methods"
   CHECK(both.cells.found > 0);
   CHECK(both.cells.wanted == both.evidence.wanted);
 }
+
+}  // namespace jalon::cell_facades_test

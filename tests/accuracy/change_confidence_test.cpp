@@ -16,7 +16,8 @@
 #include "recipe.h"
 #include "seed_range.h"
 
-using namespace jalon;
+namespace jalon::change_confidence_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -116,3 +117,5 @@ TEST_CASE("change_confidence__of_kinds_that_no_constant_was_set_on") {
   const ConfidenceFigures all = told("reported kinds", runs);
   CHECK(all.sure_share() >= 0.9);
 }
+
+}  // namespace jalon::change_confidence_test

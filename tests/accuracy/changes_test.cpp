@@ -12,7 +12,8 @@
 #include "geometry/cholesky.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::changes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -298,3 +299,5 @@ TEST_CASE("S9__a_collapsed_wall_is_deformed") {
   }
   report("S9 wall", tally);
 }
+
+}  // namespace jalon::changes_test

@@ -14,7 +14,8 @@
 #include "formats/formats.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::coded_stability_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -183,3 +184,5 @@ TEST_CASE("coded_stability__points_keep_their_classes_when_their_scan_changes_a_
       }
   }
 }
+
+}  // namespace jalon::coded_stability_test

@@ -16,7 +16,8 @@
 #include "registration/targets/recognition.h"
 #include "unit/registration/target_scenes.h"
 
-using namespace jalon;
+namespace jalon::coded_targets_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -208,3 +209,5 @@ TEST_CASE("coded_targets__keep_their_codes_when_the_scan_is_changed_a_little") {
     CHECK(kept >= known - 1);
   }
 }
+
+}  // namespace jalon::coded_targets_test

@@ -50,11 +50,11 @@ struct ClassFigures {
   }
   std::string text() const {
     constexpr const char* kNames[] = {"rest", "walls", "doors", "windows", "gutters"};
-    std::string out = "oAcc " + text_of(overall(), 4) + ", mean F1 " + text_of(mean_f1(), 3);
+    std::string out = "oAcc " + jalon::text_of(overall(), 4) + ", mean F1 " + jalon::text_of(mean_f1(), 3);
     for (size_t c = 0; c < 5; ++c)
       if (row(c) > 0)
-        out += std::string(", ") + kNames[c] + " " + text_of(precision(c), 3) + " " +
-               text_of(recall(c), 3) + " " + text_of(f1(c), 3);
+        out += std::string(", ") + kNames[c] + " " + jalon::text_of(precision(c), 3) + " " +
+               jalon::text_of(recall(c), 3) + " " + jalon::text_of(f1(c), 3);
     return out;
   }
 
@@ -81,9 +81,9 @@ struct CodedYard {
     sample.seed = seed;
     sample.surfaces.glass_return_min = sample.surfaces.glass_return_max = 0.05;
     // Targets are as dense as the source's cloud, 60 000 points/m2; gutters are grown in steps of 2 cm.
-    sample.densities = "ground=0.3,target=" + text_of(60000 * spacing_m * spacing_m);
+    sample.densities = "ground=0.3,target=" + jalon::text_of(60000 * spacing_m * spacing_m);
     if (yard.zone != YardZone::kComplete)
-      sample.densities += ",gutter=" + text_of(std::pow(spacing_m / 0.01, 2));
+      sample.densities += ",gutter=" + jalon::text_of(std::pow(spacing_m / 0.01, 2));
     cloud = std::make_shared<const Cloud>(scan_sample(model, {}, sample, task));
     const YardTruth known = yard_truth(scene);
     for (const uint32_t face : cloud->fields.require("face").values<uint32_t>())

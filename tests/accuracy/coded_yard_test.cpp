@@ -10,7 +10,8 @@
 #include "recipe.h"
 #include "seed_range.h"
 
-using namespace jalon;
+namespace jalon::coded_yard_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -155,3 +156,5 @@ TEST_CASE("coded_yard__a_door_without_a_target_is_left_to_the_rest") {
   CHECK(figures.recall(2) < 0.9);  // a door of five sizes, one of them double
   CHECK(figures.counts[2][0] > figures.counts[2][1] + figures.counts[2][3]);
 }
+
+}  // namespace jalon::coded_yard_test

@@ -14,7 +14,8 @@
 #include "compare/distance/distance.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::distance_recipes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -90,3 +91,5 @@ TEST_CASE("nearest_points__equal_brute_force_to_1e9_on_uneven_clouds") {
   MESSAGE("FIGURE nearest points of " << points << ": within " << worst << " of brute force");
   CHECK(worst < 1e-9);
 }
+
+}  // namespace jalon::distance_recipes_test

@@ -9,7 +9,8 @@
 
 // What the comparer makes of the days of earthworks: what a removed wall uncovers is hidden, a pit is found.
 
-using namespace jalon;
+namespace jalon::earthworks_changes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -219,3 +220,5 @@ TEST_CASE("earthworks__local_models_bring_the_static_ground_down_to_a_third") {
     CHECK(rms >= 3 * modelled_rms);
   }
 }
+
+}  // namespace jalon::earthworks_changes_test

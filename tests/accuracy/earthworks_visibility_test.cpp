@@ -8,7 +8,8 @@
 // What is asked for: at least 95 % of true shadow points labelled, at most 2 % of commonly seen
 // points lost. Truth is an exact ray from the other day's scanner through that day's scene.
 
-using namespace jalon;
+namespace jalon::earthworks_visibility_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -81,3 +82,5 @@ TEST_CASE("earthworks__shadows_are_labelled_and_common_ground_is_kept_on_all_pai
           << all.shadow + all.near);
   CHECK(percent(all.shadow_found + all.near_found, all.shadow + all.near) >= 95);
 }
+
+}  // namespace jalon::earthworks_visibility_test

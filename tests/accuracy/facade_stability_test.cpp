@@ -20,7 +20,8 @@
 #include "modelling/facade/facade.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::facade_stability_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -279,3 +280,5 @@ TEST_CASE("facade_stability__of_real_facades_under_changes_that_mean_nothing") {
   if (!is_full())
     CHECK(static_cast<double>(all.same_walls) >= kRealSameWalls * static_cast<double>(all.runs));
 }
+
+}  // namespace jalon::facade_stability_test

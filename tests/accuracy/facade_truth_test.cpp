@@ -6,7 +6,8 @@
 
 #include <doctest/doctest.h>
 
-using namespace jalon;
+namespace jalon::facade_truth_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -224,3 +225,5 @@ TEST_CASE("facade_truth__reads_walls_and_openings_from_a_model") {
   CHECK(areas(found.openings[1].drawn.region, found.openings[1].drawn.region, 0.001).a_m2 ==
         doctest::Approx(1.6));
 }
+
+}  // namespace jalon::facade_truth_test

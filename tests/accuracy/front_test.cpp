@@ -17,7 +17,8 @@
 #include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
-using namespace jalon;
+namespace jalon::front_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -165,3 +166,5 @@ TEST_CASE("front__stays_under_half_of_the_points_another_order_a_turn_a_grid_and
     }
   }
 }
+
+}  // namespace jalon::front_test

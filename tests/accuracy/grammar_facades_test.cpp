@@ -18,7 +18,8 @@
 #include "recipe.h"
 #include "seed_range.h"
 
-using namespace jalon;
+namespace jalon::grammar_facades_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -119,3 +120,5 @@ TEST_CASE("grammar__kinds_never_developed_with_have_a_table_of_figures") {
   CHECK(all.wanted > 0);
   CHECK(all.wall_m2 > 0);
 }
+
+}  // namespace jalon::grammar_facades_test

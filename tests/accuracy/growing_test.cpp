@@ -9,7 +9,8 @@
 #include "chain.h"
 #include "segment/growing_settings.h"
 
-using namespace jalon;
+namespace jalon::growing_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -156,3 +157,5 @@ TEST_CASE("chain_growing__finds_every_plane_of_the_scanned_street_once_and_unsla
     CHECK(f.slant_deg <= kSlanted_deg);
   }
 }
+
+}  // namespace jalon::growing_test

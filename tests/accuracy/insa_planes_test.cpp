@@ -13,7 +13,8 @@
 #include "segment/evaluation/evaluation.h"
 #include "segment/labels/from_labels.h"
 
-using namespace jalon;
+namespace jalon::insa_planes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -196,3 +197,5 @@ TEST_CASE(
   CHECK(detection >= kLeastDetection);
   CHECK(accuracy >= kLeastAccuracy);
 }
+
+}  // namespace jalon::insa_planes_test

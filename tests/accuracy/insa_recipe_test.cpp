@@ -10,7 +10,8 @@
 #include "cloud/operations.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::insa_recipe_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -218,3 +219,5 @@ TEST_CASE("S1_insa__mullions_and_their_sides_are_found_at_5_cm") {
   expect(t[{"mullion", Orientation::kParallel}], 0.65, 0.95);
   expect(t[{"mullion", Orientation::kVertical}], 0.5, 0.95);
 }
+
+}  // namespace jalon::insa_recipe_test

@@ -10,7 +10,9 @@
 // Matches by rays against perfect ones: a closed street with roofs, ground, and things 5 m high before the houses that
 // the model lacks, 5 mm of noise; one setting, the default, for all five scenarios. Developed with seeds from 9001 on;
 // reported: 9101 to 9150. JALON_JOINT_SEEDS=first-last: others.
-using namespace jalon;
+
+namespace jalon::joint_matches_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -101,3 +103,5 @@ TEST_CASE("joint_matches__with_30_percent_clutter__still_bring_facades_nearer") 
   CHECK(made.clutter >= 0.3 * made.draws);
   CHECK(made.rays.rms(kOfFacades) < 2 * made.perfect.rms(kOfFacades));
 }
+
+}  // namespace jalon::joint_matches_test

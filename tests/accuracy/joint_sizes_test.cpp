@@ -12,7 +12,8 @@
 #include "registration/joint/ray_matching.h"
 
 // How the cost of a joint adjustment grows. What it takes is printed (JALON_FULL: the size that is promised).
-using namespace jalon;
+
+namespace jalon::joint_sizes_test {
 
 namespace {
 
@@ -128,3 +129,5 @@ TEST_CASE("joint_sizes__of_many_strips__rays_find_theirs") {
             threads, " threads: ", 1e-6 * static_cast<double>(rays) / taken, " M rays a second");
   }
 }
+
+}  // namespace jalon::joint_sizes_test

@@ -9,7 +9,9 @@
 
 // Other drives than the one through the L-shaped street, other priors than the right ones, and simpler methods, all
 // matched by rays. Seeds 9201 on; no constant was set on them.
-using namespace jalon;
+
+namespace jalon::joint_variants_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -147,3 +149,5 @@ TEST_CASE("joint_variants__against_simpler_methods__is_told_and_over_many_draws_
   };
   for (size_t m = 1; m < kMethods; ++m) CHECK(all(kJoint) < all(m));
 }
+
+}  // namespace jalon::joint_variants_test

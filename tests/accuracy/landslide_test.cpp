@@ -16,7 +16,8 @@
 // were set on seeds 1 to 30: bowls, slumps, flows and lobes; blocks that sank and wedges, from seed 31 on, are reported
 // only.
 
-using namespace jalon;
+namespace jalon::landslide_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -333,3 +334,5 @@ TEST_CASE("landslide__is_the_same_whatever_the_order_the_place_the_turn_and_half
   };
   check("jittered", jittered(before), jittered(after));
 }
+
+}  // namespace jalon::landslide_test

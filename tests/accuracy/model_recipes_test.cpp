@@ -12,7 +12,8 @@
 #include "recipe.h"
 #include "wall_figures.h"
 
-using namespace jalon;
+namespace jalon::model_recipes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -202,3 +203,5 @@ TEST_CASE("DS1_insa__bays_areas_and_vertices_are_true") {
     expect_vertices(f.vertices_m(), spacing_m);
   }
 }
+
+}  // namespace jalon::model_recipes_test

@@ -16,7 +16,8 @@
 #include "recipe.h"
 #include "seed_range.h"
 
-using namespace jalon;
+namespace jalon::opening_classes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -111,3 +112,5 @@ TEST_CASE("opening_classes__are_told_with_a_calibrated_confidence") {
   report("grammar", all);
   CHECK(!all.empty());
 }
+
+}  // namespace jalon::opening_classes_test

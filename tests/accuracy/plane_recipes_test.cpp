@@ -9,7 +9,8 @@
 #include "segment/result/residuals.h"
 #include "segment/surface/tolerance.h"
 
-using namespace jalon;
+namespace jalon::plane_recipes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -176,3 +177,5 @@ TEST_CASE(
       CHECK(share_of(shared_out, 1, 2) < strip / 3);
     }
 }
+
+}  // namespace jalon::plane_recipes_test

@@ -11,7 +11,8 @@
 #include "accuracy/recipe.h"
 #include "registration/automatic.h"
 
-using namespace jalon;
+namespace jalon::registration_automatic_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -63,3 +64,5 @@ TEST_CASE("registration_automatic__finds_kinds_developed_with_from_anywhere") {
 TEST_CASE("registration_automatic__finds_kinds_it_never_saw_from_anywhere") {
   check_kinds(kReportedKinds, 401);
 }
+
+}  // namespace jalon::registration_automatic_test

@@ -13,7 +13,8 @@
 #include "accuracy/recipe.h"
 #include "registration/icp/icp.h"
 
-using namespace jalon;
+namespace jalon::registration_open_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -47,3 +48,5 @@ TEST_CASE("registration_open__no_direction_is_open_in_which_starts_far_apart_com
   // Else fewer than 97 % of the right poses could be accepted; of few draws up to three deviations more by chance.
   CHECK(open <= 0.03 * agreeing + 3 * std::sqrt(0.03 * 0.97 * agreeing));
 }
+
+}  // namespace jalon::registration_open_test

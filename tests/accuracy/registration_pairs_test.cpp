@@ -11,7 +11,8 @@
 #include "accuracy/recipe.h"
 #include "registration/icp/icp.h"
 
-using namespace jalon;
+namespace jalon::registration_pairs_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -53,3 +54,5 @@ TEST_CASE("registration_pairs__kinds_developed_with_are_laid_on_each_other_withi
 TEST_CASE("registration_pairs__kinds_kept_for_the_report_are_too") {
   for (const PairKind& kind : kReportedKinds) check_kind(kind, is_full() ? 20 : 1, 0.004);
 }
+
+}  // namespace jalon::registration_pairs_test

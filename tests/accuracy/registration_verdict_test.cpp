@@ -13,7 +13,8 @@
 #include "cloud/select.h"
 #include "registration/icp/icp.h"
 
-using namespace jalon;
+namespace jalon::registration_verdict_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -183,3 +184,5 @@ TEST_CASE("verdict__tells_right_from_wrong_pairs_of_kinds_it_never_saw") {
   const std::span<const PairKind> kinds = kReportedKinds;
   check_kinds(is_full() ? kinds : kinds.first(3), "reported");
 }
+
+}  // namespace jalon::registration_verdict_test

@@ -16,7 +16,8 @@
 #include "formats/formats.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::station_files_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -89,3 +90,5 @@ TEST_CASE("station_files__no_shadow_is_a_change_when_the_files_tell_the_stations
   CHECK(quiet == runs);
   CHECK(without == runs);
 }
+
+}  // namespace jalon::station_files_test

@@ -13,7 +13,8 @@
 #include "compare/distance/distance.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::street_changes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -151,3 +152,5 @@ TEST_CASE("street__the_same_scene_scanned_twice_has_no_change") {
   CHECK(tally.right + tally.wrong_class + tally.pieces == 0);
   CHECK(tally.invented == 0);
 }
+
+}  // namespace jalon::street_changes_test

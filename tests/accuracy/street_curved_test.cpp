@@ -14,7 +14,7 @@
 #include "segment/ransac_settings.h"
 #include "segment/segmentation.h"
 
-using namespace jalon;
+namespace jalon::street_curved_test {
 
 namespace {
 
@@ -194,3 +194,5 @@ TEST_CASE(
   // 1 in 370 normal errors is beyond 3 sigma: at most three of 210, one of 21, in 98 of 100 cases.
   CHECK(worst.beyond_sigmas <= 1 + worst.curved / 105);
 }
+
+}  // namespace jalon::street_curved_test

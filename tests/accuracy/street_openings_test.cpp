@@ -15,7 +15,8 @@
 #include "segment/segmentation.h"
 #include "wall_figures.h"
 
-using namespace jalon;
+namespace jalon::street_openings_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -118,3 +119,5 @@ TEST_CASE("street__labelled_doors_and_windows_have_an_opening_or_a_face") {
           << seeds.size() << " seeds: " << all.found << " of " << all.objects << " with an IoU of "
           << kLeastIou);
 }
+
+}  // namespace jalon::street_openings_test

@@ -8,7 +8,8 @@
 #include "../bench/street_points.h"
 #include "chain.h"
 
-using namespace jalon;
+namespace jalon::street_planes_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -218,3 +219,5 @@ TEST_CASE("chain_street__finds_the_28_true_planes_of_the_measured_street_once_an
             << " segments on curved things");
   }
 }
+
+}  // namespace jalon::street_planes_test

@@ -7,7 +7,8 @@
 
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::strips_recipe_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -77,3 +78,5 @@ TEST_CASE("S7_strips__slanted_by_points_alone_and_one_strip_a_plane_with_the_ori
     CHECK(mean <= row.most);
   }
 }
+
+}  // namespace jalon::strips_recipe_test

@@ -6,7 +6,8 @@
 
 #include "chain.h"
 
-using namespace jalon;
+namespace jalon::truth_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -150,3 +151,5 @@ TEST_CASE("chain_facade__outlines_have_all_openings_in_their_places") {
   MESSAGE("area " << wall->area_m2 << " m2, true " << true_wall->area_m2 << " m2");
   CHECK(std::abs(wall->area_m2 - true_wall->area_m2) <= 0.01 * true_wall->area_m2);
 }
+
+}  // namespace jalon::truth_test

@@ -8,7 +8,8 @@
 #include "cloud/operations.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::unwanted_recipe_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -68,3 +69,5 @@ TEST_CASE("S3_unwanted__99_percent_of_the_facade_stay_and_95_of_what_stands_befo
     CHECK(e.pairs[0].tda() >= 0.97);
   }
 }
+
+}  // namespace jalon::unwanted_recipe_test

@@ -16,7 +16,8 @@
 #include "cloud/select.h"
 #include "registration/icp/icp.h"
 
-using namespace jalon;
+namespace jalon::verdict_stability_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -144,3 +145,5 @@ TEST_CASE(
   }
   MESSAGE("FIGURE verdict, changes of the points looked at: " << checked);
 }
+
+}  // namespace jalon::verdict_stability_test
