@@ -21,9 +21,11 @@ LONGEST_FIRST = ["fresh_root", "bindings_from_source", "validators", "release/un
                  "bindings_java", "release/unit_modelling", "bits", "release/capi_null_wild", "release/unit_segment",
                  "release/capi_cancel_test", "bindings_csharp", "comma_locale", "cli", "asan/capi_null_wild", "asan/cli",
                  "asan/capi_cancel_test", "asan/malformed", "tsan/unit_base"]
-# Rooms whose unit tests also run under the thread sanitizer; the first in every run.
+# What also runs under the thread sanitizer: the room of the pool, of which all threads of the library come, in every run; what
+# needs the whole library built once more (520 s of processor) in the long one.
 THREADED = ["unit_base"]
-THREADED_FULL = ["unit_spatial", "unit_cloud", "unit_segment", "unit_scan", "unit_modelling"]
+THREADED_FULL = ["capi_threads_test", "capi_threads_operations_test", "capi_search_test", "unit_spatial", "unit_cloud", "unit_segment",
+                 "unit_scan", "unit_modelling"]
 
 
 @dataclass
@@ -115,7 +117,7 @@ def sanitized_suites():
         script("asan/malformed", "tests/fuzz/malformed.sh", ["malformed_files"], build="asan"),
         script("asan/replay", "tests/fuzz/replay.sh", ["fuzz_replay"], build="asan")]
     asan += [program(name, "asan", full=True) for name in unit_programs()]
-    tsan = [program(name, "tsan") for name in THREADED + ["capi_threads_test", "capi_threads_operations_test", "capi_search_test"]]
+    tsan = [program(name, "tsan") for name in THREADED]
     return asan + tsan + [program(name, "tsan", full=True) for name in THREADED_FULL]
 
 

@@ -95,7 +95,7 @@ double share_of(const scenes::Scene& scene, const char* what, const Tally& tally
 TEST_CASE("icp__ellipsoids_cover_the_truth_as_often_as_they_say") {
   const bool full = std::getenv("JALON_FULL") != nullptr,
              small = std::getenv("JALON_SANITIZED") != nullptr;
-  const size_t runs = full ? 1000 : small ? 5 : 60;
+  const size_t runs = full ? 1000 : small ? 5 : 30;
   // 93 to 97 % of a thousand; of fewer 95 % less three standard deviations of the binomial.
   const double n = static_cast<double>(runs), chance = 3 * std::sqrt(0.95 * 0.05 / n);
   const double low = full ? 0.93 : 0.95 - chance, high = full ? 0.97 : 1;
