@@ -50,7 +50,8 @@ struct ClassFigures {
   }
   std::string text() const {
     constexpr const char* kNames[] = {"rest", "walls", "doors", "windows", "gutters"};
-    std::string out = "oAcc " + jalon::text_of(overall(), 4) + ", mean F1 " + jalon::text_of(mean_f1(), 3);
+    std::string out =
+        "oAcc " + jalon::text_of(overall(), 4) + ", mean F1 " + jalon::text_of(mean_f1(), 3);
     for (size_t c = 0; c < 5; ++c)
       if (row(c) > 0)
         out += std::string(", ") + kNames[c] + " " + jalon::text_of(precision(c), 3) + " " +

@@ -97,7 +97,8 @@ FacadeFigures print_table(Series series, KindOfSeed kind_of = drawn_kind) {
 
 }  // namespace
 
-TEST_CASE("grammar__seeds_to_develop_with_have_a_table_of_figures") {
+TEST_CASE("grammar__seeds_to_develop_with_have_a_table_of_figures" *
+          doctest::skip(std::getenv("JALON_FULL") == nullptr)) {
   const FacadeFigures all = print_table(kDeveloped);
   CHECK(all.wanted > 0);
   CHECK(all.wall_m2 > 0);
