@@ -4,7 +4,8 @@
 """tests/RELIABILITY.md from figures.py and from what the last run said: page.py [--write].
 
 --write takes the last values from build/logs, keeps them in measured.json and writes the page. Without it the page is
-held against the table, and each test that a row names against the tree: a row of a test that is gone is a failure."""
+held against the table, and each test that a row names against the tree and the suites: a row of a test that is gone, or that
+no run takes, is a failure."""
 
 import json
 import os
@@ -14,8 +15,9 @@ import sys
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 PAGE, MEASURED, LOGS = os.path.join(ROOT, "tests", "RELIABILITY.md"), os.path.join(HERE, "measured.json"), os.path.join(ROOT, "build", "logs")
-sys.path.insert(0, HERE)
+sys.path[:0] = [HERE, os.path.join(ROOT, "tests", "runner")]
 from figures import FIGURES  # noqa: E402
+from suites import all_suites  # noqa: E402
 
 TEXTS = (".c", ".h", ".cpp", ".py", ".sh", ".java", ".cs", ".md")
 MOST_SHOWN, MOST_VALUES = 110, 3  # letters of a value; values of a figure
@@ -106,6 +108,10 @@ def main():
         write_page(kept)
     passed = failed = 0
     text = sources()
+    run = {s.name for s in all_suites()}
+    never_run = sorted({suite for figure in FIGURES for suite, _ in figure.shown_by} - run)
+    print("%s - reliability: its suites are run%s" % (("not ok", ": not " + ", ".join(never_run)) if never_run else ("ok", "")))
+    passed, failed = passed + (not never_run), failed + bool(never_run)
     for figure in FIGURES:
         vague = [test for _, test in figure.shown_by if not 0 < len(re.findall(test, text)) <= MOST_PLACES]
         passed, failed = passed + (not vague), failed + bool(vague)

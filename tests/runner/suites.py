@@ -18,7 +18,7 @@ SANITIZED = {
 ALONE = {"release/capi_cancel_test", "bench", "fresh_root"}
 # What takes more than about 20 s of processor, as measured (tests/README.md): started first, so that none ends alone.
 LONGEST_FIRST = ["fresh_root", "bindings_from_source", "validators", "release/unit_registration", "accuracy", "bindings_python",
-                 "bindings_java", "release/unit_modelling", "bits", "release/capi_null_wild", "release/unit_segment",
+                 "bindings_java", "release/unit_modelling", "bits", "release/unit_segment",
                  "release/capi_cancel_test", "bindings_csharp", "comma_locale", "cli", "asan/capi_null_wild", "asan/cli",
                  "asan/capi_cancel_test", "asan/malformed", "tsan/unit_base"]
 # What also runs under the thread sanitizer: the room of the pool, of which all threads of the library come, in every run; what
@@ -26,6 +26,9 @@ LONGEST_FIRST = ["fresh_root", "bindings_from_source", "validators", "release/un
 THREADED = ["unit_base"]
 THREADED_FULL = ["capi_threads_test", "capi_threads_operations_test", "capi_search_test", "unit_spatial", "unit_cloud", "unit_segment",
                  "unit_scan", "unit_modelling"]
+
+# Run in each build by the long run, in a short one only where the address sanitizer looks on, which sees more.
+ASAN_ALONE = ["capi_null_wild", "capi_sequences"]
 
 
 @dataclass
@@ -60,7 +63,7 @@ def unit_programs():
 def c_programs():
     def of(folder):
         return [folder + "_" + n[:-2] for n in sorted(os.listdir(os.path.join(ROOT, "tests", folder))) if n.endswith("_test.c")]
-    return of("capi") + ["capi_null_wild"] + of("reliability")
+    return of("capi") + ["capi_null_wild", "capi_sequences"] + of("reliability")
 
 
 def program(name, build, full=False):
@@ -76,7 +79,7 @@ def script(name, path, targets, arguments=None, full=False, packages=(), build="
 def release_suites():
     tool = os.path.join(folder("release"), "src", "jalon")
     everything = ["bindings", "examples/all", "jalon_cli"]
-    return [program(name, "release") for name in unit_programs() + c_programs()] + [
+    return [program(name, "release", full=name in ASAN_ALONE) for name in unit_programs() + c_programs()] + [
         script("style", "tests/style/check.py", []),
         script("abi", "tests/abi/check.sh", ["jalon"]),
         script("install", "tests/install/check.sh", ["jalon", "jalon_cli"]),
