@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "registration/joint/beam_fields.h"
+#include "registration/joint/block_search.h"
 #include "registration/joint/strip_conditions.h"
 #include "registration/joint/strip_weights.h"
 
@@ -58,6 +59,9 @@ class JointLoop {
     places_.trajectory.assign(controls, {});
     places_.model = {std::vector<Vec2>(scene_.blocks), std::vector<double>(scene_.facades, 0),
                      std::vector<double>(scene_.strips.size(), 0)};
+    if (settings.kernel != JointSettings::Kernel::kNone &&
+        settings.matches == JointSettings::Matches::kRays)
+      places_.model.blocks = find_blocks(made_.points, scene_, settings, task);
     for (size_t c = 0; c < controls; ++c)
       made_.trajectory_priors.push_back({problem_.x.sigmas_m[c], problem_.y.sigmas_m[c]});
   }
@@ -77,7 +81,7 @@ class JointLoop {
     JointPass pass;
     std::vector<PointMatch> matches = match_points(made_.points, scene_, places_, settings_, task_);
     leave_unsteady_out(matches);
-    made_.weights = strip_weights(matches, scene_.strips.size(), settings_);
+    made_.weights = strip_weights(made_.points, scene_, matches, settings_);
     count(matches, pass);
     made_.matches = std::move(matches);
     std::vector<uint32_t> strip_of_point;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "registration/joint/strip_surfaces.h"
+
 namespace jalon {
 
 namespace {
@@ -18,39 +20,52 @@ double median_of(std::vector<double>& values) {
 // 95 % as good as the mean where the scatter is normal.
 constexpr double kTukeyWidth = 4.685, kMadToSigma = 1.4826;
 
-void weigh_strip(const std::vector<uint32_t>& points, const std::vector<PointMatch>& matches,
-                 double noise_m, std::vector<double>& weights) {
+MetPoint seen_from(const JointPoints& points, const StripScene& scene, const PointMatch& match,
+                   uint32_t number) {
+  const Vec2& normal = scene.strips[match.strip].normal;
+  const Vec3& way = points.direction[number];
+  return {number, match.distance_m, points.at[number].z,
+          way.z / std::fabs(normal.u * way.x + normal.v * way.y),
+          match.state == MatchState::kMatched};
+}
+
+// All points that met the strip, by the ones that stand on its wall.
+void weigh_strip(const std::vector<MetPoint>& met, double noise_m, std::vector<double>& weights) {
+  const std::vector<MetPoint> wall = points_of_wall(met);
+  if (wall.empty()) return;
   std::vector<double> values;
-  for (const uint32_t i : points) values.push_back(matches[i].distance_m);
+  for (const MetPoint& p : wall) values.push_back(p.distance_m);
   const double median = median_of(values);
-  for (size_t k = 0; k < points.size(); ++k)
-    values[k] = std::fabs(matches[points[k]].distance_m - median);
+  for (size_t k = 0; k < wall.size(); ++k) values[k] = std::fabs(wall[k].distance_m - median);
   const double scale = std::max(noise_m, kMadToSigma * median_of(values));
-  for (const uint32_t i : points) {
-    const double r = (matches[i].distance_m - median) / (kTukeyWidth * scale);
-    weights[i] = std::fabs(r) < 1 ? (1 - r * r) * (1 - r * r) : 0;
+  for (const MetPoint& p : wall) {
+    const double r = (p.distance_m - median) / (kTukeyWidth * scale);
+    weights[p.number] = std::fabs(r) < 1 ? (1 - r * r) * (1 - r * r) : 0;
   }
 }
 
 }  // namespace
 
-std::vector<double> strip_weights(const std::vector<PointMatch>& matches, size_t strips,
+std::vector<double> strip_weights(const JointPoints& points, const StripScene& scene,
+                                  const std::vector<PointMatch>& matches,
                                   const JointSettings& settings) {
   std::vector<double> weights(matches.size(), 0);
-  std::vector<std::vector<uint32_t>> of_strip(strips);
-  for (uint32_t i = 0; i < matches.size(); ++i) {
-    if (matches[i].state != MatchState::kMatched) continue;
-    weights[i] = 1;
-    of_strip[matches[i].strip].push_back(i);
-  }
   if (settings.kernel == JointSettings::Kernel::kNone ||
-      settings.matches == JointSettings::Matches::kIds)
+      settings.matches == JointSettings::Matches::kIds) {
+    for (size_t i = 0; i < matches.size(); ++i)
+      weights[i] = matches[i].state == MatchState::kMatched ? 1 : 0;
     return weights;
+  }
+  std::vector<std::vector<MetPoint>> of_strip(scene.strips.size());
+  for (uint32_t i = 0; i < matches.size(); ++i) {
+    const PointMatch& m = matches[i];
+    if (m.state == MatchState::kMatched || (m.state == MatchState::kFar && m.distance_m < 0))
+      of_strip[m.strip].push_back(seen_from(points, scene, m, i));
+  }
   // The scatter of exact points is 0: a least one keeps rounding from deciding.
   constexpr double kLeastNoise_m = 1e-6;
-  for (const auto& points : of_strip)
-    if (!points.empty())
-      weigh_strip(points, matches, std::max(kLeastNoise_m, settings.sigma_point_m), weights);
+  for (const auto& met : of_strip)
+    if (!met.empty()) weigh_strip(met, std::max(kLeastNoise_m, settings.sigma_point_m), weights);
   return weights;
 }
 

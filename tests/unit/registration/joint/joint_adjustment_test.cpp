@@ -102,8 +102,6 @@ TEST_CASE("adjust_jointly__by_rays__comes_near_to_perfect_matches") {
             perfect.group[1].rms(), " ", perfect.group[2].rms(), " ", perfect.group[3].rms(), " m");
     CHECK(ratio(0) <= 1.5);
     CHECK(ratio(2) <= 1.5);
-    // A block that is seen from the front alone slides along it: a draw in ten or so is caught beside its place.
-    if (scenario == 2) continue;
     CHECK(ratio(1) <= 1.5);
     CHECK(2 * good >= draws);
   }

@@ -88,21 +88,29 @@ TEST_CASE("match_points__accepts_by_the_propagated_sigmas") {
 }
 
 TEST_CASE("strip_weights__of_a_van_before_a_wall__leave_it_out") {
+  StripScene scene;
+  scene.strips = {{0, 0, {0, -1}, 0}};
+  JointPoints points;
   std::vector<PointMatch> matches;
-  for (int i = 0; i < 10; ++i) matches.push_back({0, MatchState::kMatched, 0.5 + 0.001 * i});
-  for (int i = 0; i < 4; ++i) matches.push_back({0, MatchState::kMatched, 2.5});
-  matches.push_back({0, MatchState::kFar, 0.5});
-  const std::vector<double> robust = strip_weights(matches, 1, {});
+  const auto add = [&](double before_m, double height_m, MatchState state) {
+    points.at.push_back({0, -before_m, height_m});
+    points.direction.push_back({0, 1, 0});
+    matches.push_back({0, state, before_m});
+  };
+  for (int i = 0; i < 10; ++i) add(0.5 + 0.001 * i, 3 + 0.1 * i, MatchState::kMatched);
+  for (int i = 0; i < 14; ++i) add(2.5, 0.1 * i, MatchState::kMatched);
+  add(0.5, 3, MatchState::kFar);
+  const std::vector<double> robust = strip_weights(points, scene, matches, {});
   JointSettings plain;
   plain.kernel = JointSettings::Kernel::kNone;
-  const std::vector<double> alike = strip_weights(matches, 1, plain);
+  const std::vector<double> alike = strip_weights(points, scene, matches, plain);
   for (size_t i = 0; i < 10; ++i) CHECK(robust[i] > 0.5);
-  for (size_t i = 10; i < 14; ++i) {
+  for (size_t i = 10; i < 24; ++i) {
     CHECK(robust[i] == 0);
     CHECK(alike[i] == 1);
   }
-  CHECK(robust[14] == 0);
-  CHECK(alike[14] == 0);
+  CHECK(robust[24] == 0);
+  CHECK(alike[24] == 0);
 }
 
 TEST_CASE("strip_scene__of_a_model_without_strips__is_refused") {
