@@ -75,14 +75,6 @@ Matched over_draws(size_t scenario, double covered, bool with_literal) {
   return made;
 }
 
-// What is not reached is told and not asserted; in 50 draws: a block that is off by metres along its street, with a
-// tenth of the points on things before it, may settle beside its place (scenario 2, 30 times); a strip that may stand
-// 2 m before its wall follows the thing that stands there (scenario 4, 14 times); strips of scenario 5, 1.51 times.
-bool is_reached(size_t scenario, size_t group) {
-  return !(scenario == 1 && group == kOfBlocks) &&
-         !((scenario == 3 || scenario == 4) && group == kOfStrips);
-}
-
 }  // namespace
 
 TEST_CASE("joint_matches__by_rays__come_near_to_perfect_ones_in_five_scenarios") {
@@ -91,8 +83,7 @@ TEST_CASE("joint_matches__by_rays__come_near_to_perfect_ones_in_five_scenarios")
     const Matched made = over_draws(scenario, kTenth, true);
     made.tell("scenario " + std::to_string(scenario + 1), true);
     CHECK(made.clutter >= 0.1 * made.draws);
-    for (size_t g = 0; g < kLeftGroups; ++g)
-      if (is_reached(scenario, g)) CHECK(made.ratio(g) <= 1.5);
+    for (size_t g = 0; g < kLeftGroups; ++g) CHECK(made.ratio(g) <= 1.5);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "registration/joint/beam_fields.h"
 #include "registration/joint/block_search.h"
 #include "registration/joint/strip_conditions.h"
+#include "registration/joint/strip_search.h"
 #include "registration/joint/strip_weights.h"
 
 namespace jalon {
@@ -60,8 +61,10 @@ class JointLoop {
     places_.model = {std::vector<Vec2>(scene_.blocks), std::vector<double>(scene_.facades, 0),
                      std::vector<double>(scene_.strips.size(), 0)};
     if (settings.kernel != JointSettings::Kernel::kNone &&
-        settings.matches == JointSettings::Matches::kRays)
+        settings.matches == JointSettings::Matches::kRays) {
       places_.model.blocks = find_blocks(made_.points, scene_, settings, task);
+      places_.model.strips = find_strips(made_.points, scene_, settings, task);
+    }
     for (size_t c = 0; c < controls; ++c)
       made_.trajectory_priors.push_back({problem_.x.sigmas_m[c], problem_.y.sigmas_m[c]});
   }

@@ -35,8 +35,11 @@ class RayMatcher {
     // The ray has no end: the wall may stand behind the point.
     RayHit hit;
     if (!tree_.nearest({points_.origin[i] + shift, points_.direction[i]}, hit)) return made;
-    made.strip = scene_.strip_of_face[scene_.face_of[hit.triangle]];
+    made.strip = strip_of(hit);
     if (made.strip == kNoStrip) return made;
+    if (settings_.kernel == JointSettings::Kernel::kTukey)
+      made.strip =
+          nearer_to_its_place(made.strip, hit, {points_.origin[i] + shift, points_.direction[i]});
     const GivenStrip& strip = scene_.strips[made.strip];
     const Vec3 p = points_.at[i] + shift;
     made.distance_m = strip.normal.u * p.x + strip.normal.v * p.y - offsets_[made.strip];
@@ -52,6 +55,27 @@ class RayMatcher {
   }
 
  private:
+  uint32_t strip_of(const RayHit& hit) const {
+    return scene_.strip_of_face[scene_.face_of[hit.triangle]];
+  }
+
+  // Two strips that have come to stand in one place, one of which was moved onto the wall of the
+  // other: the beam ends on the one that was moved less.
+  uint32_t nearer_to_its_place(uint32_t strip, const RayHit& hit, Ray ray) const {
+    constexpr double kOnePlace_m = 0.15;
+    constexpr double kAlike = 0.94;          // 20 degrees
+    ray.t_min = hit.t * (1 + 1e-12) + 1e-9;  // not the same triangle again
+    const Vec2& n = scene_.strips[strip].normal;
+    ray.t_max = hit.t + kOnePlace_m / std::fabs(n.u * ray.direction.x + n.v * ray.direction.y);
+    RayHit next;
+    if (!tree_.nearest(ray, next)) return strip;
+    const uint32_t other = strip_of(next);
+    if (other == kNoStrip || dot(scene_.strips[strip].normal, scene_.strips[other].normal) < kAlike)
+      return strip;
+    const std::vector<double>& off = places_.model.strips;
+    return std::fabs(off[other]) < std::fabs(off[strip]) ? other : strip;
+  }
+
   // Of the distance: the point along the normal, its pose included, and the three groups of the model.
   double sigma_of(size_t i, const GivenStrip& strip) const {
     const auto& c = points_.plan_covariance_m2[i];

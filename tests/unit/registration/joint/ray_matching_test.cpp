@@ -59,6 +59,33 @@ TEST_CASE("match_points__by_its_ray__finds_the_strip_and_how_far_it_is") {
   CHECK(street.match({5, -8, 2}, {5, -0.4, 2}, moved).distance_m == doctest::Approx(0.3));
 }
 
+// A strip from 3 m behind, brought before the front by 5 cm: the front's own strip was moved less.
+TEST_CASE("match_points__of_two_strips_in_one_place__takes_the_one_that_was_moved_less") {
+  StripScene scene;
+  scene.strips = {{0, 0, {0, -1}, 0}, {0, 0, {0, -1}, -3}};
+  scene.blocks = scene.facades = 1;
+  for (uint32_t s = 0; s < 2; ++s) {
+    const Vec3 p{0, s * 3.0, 0}, way{2, 0, 0}, up{0, 0, 9};
+    for (const Vec3& c : {p, p + way, p + way + up, p, p + way + up, p + up})
+      scene.corners.push_back(c);
+    scene.face_of.insert(scene.face_of.end(), {s, s});
+    scene.strip_of_face.push_back(s), scene.block_of_face.push_back(0);
+  }
+  JointPoints points;
+  points.index = {0};
+  points.at = {{1, 0, 2}}, points.origin = {{1, -8, 2}}, points.direction = {{0, 1, 0}};
+  points.times_s = {0.5}, points.places = {{0, 0.5}};
+  points.plan_covariance_m2 = {{1e-4, 0, 1e-4}};
+  const auto met = [&](double moved_m) {
+    Task task;
+    const JointPlaces places{{{0, 0}, {0, 0}}, {{{0, 0}}, {0}, {0, moved_m}}};
+    return match_points(points, scene, places, {}, task)[0].strip;
+  };
+  CHECK(met(0) == 0);
+  CHECK(met(3.05) == 0);
+  CHECK(met(3.5) == 1);  // no longer one place
+}
+
 TEST_CASE("match_points__tells_why_a_match_is_refused") {
   const Street street;
   CHECK(street.match({5, -8, 2}, {5, -8, 20}, street.still).state == MatchState::kNothing);

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/joint/strip_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/parallel.h"
+#include "registration/joint/ray_matching.h"
+#include "registration/joint/strip_surfaces.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kCell_m = 2;  // about a strip's width
+// Beams that go through a strip and end so much farther behind it than its points may still tell that they do.
+constexpr double kBehind_m = 20;
+
+double plus_squares(double v, double more) { return v + more * more; }
+
+double sure_part_m(const JointPoints& points, const JointSettings& settings) {
+  double sum = 0;
+  for (const auto& c : points.plan_covariance_m2) sum += (c[0] + c[2]) / 2;
+  double variance = sum / static_cast<double>(points.size());
+  variance = plus_squares(variance, settings.sigma_facade_m);
+  variance = plus_squares(variance, settings.sigma_block_x_m);
+  return std::sqrt(plus_squares(variance, settings.sigma_block_y_m));
+}
+
+// Points by cells of the plan.
+class PlanCells {
+ public:
+  explicit PlanCells(const std::vector<Vec3>& at) {
+    for (uint32_t i = 0; i < at.size(); ++i)
+      cells_.push_back({cell_of(at[i].x), cell_of(at[i].y), i});
+    std::sort(cells_.begin(), cells_.end());
+  }
+  template <class F>
+  void each(const Vec2& low, const Vec2& high, F&& f) const {
+    for (int64_t x = cell_of(low.u); x <= cell_of(high.u); ++x) {
+      const Entry first{x, cell_of(low.v), 0};
+      for (auto at = std::lower_bound(cells_.begin(), cells_.end(), first);
+           at != cells_.end() && at->x == x && at->y <= cell_of(high.v); ++at)
+        f(at->point);
+    }
+  }
+
+ private:
+  struct Entry {
+    int64_t x = 0, y = 0;
+    uint32_t point = 0;
+    auto operator<=>(const Entry&) const = default;
+  };
+  static int64_t cell_of(double v) { return static_cast<int64_t>(std::floor(v / kCell_m)); }
+  std::vector<Entry> cells_;
+};
+
+// A strip's rectangle: along its wall and up.
+struct Extent {
+  double from = std::numeric_limits<double>::infinity(), to = -from, bottom = from, top = -from;
+};
+
+Vec2 along(const GivenStrip& strip) { return {-strip.normal.v, strip.normal.u}; }
+
+std::vector<Extent> extents_of(const StripScene& scene) {
+  std::vector<Extent> made(scene.strips.size());
+  for (size_t t = 0; t < scene.face_of.size(); ++t) {
+    const uint32_t s = scene.strip_of_face[scene.face_of[t]];
+    if (s == kNoStrip) continue;
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3& c = scene.corners[3 * t + k];
+      const double h = dot(along(scene.strips[s]), {c.x, c.y});
+      made[s].from = std::min(made[s].from, h), made[s].to = std::max(made[s].to, h);
+      made[s].bottom = std::min(made[s].bottom, c.z), made[s].top = std::max(made[s].top, c.z);
+    }
+  }
+  return made;
+}
+
+class StripSearch {
+ public:
+  StripSearch(const JointPoints& points, const StripScene& scene, const JointSettings& settings)
+      : points_(points),
+        scene_(scene),
+        settings_(settings),
+        cells_(points.at),
+        extents_(extents_of(scene)),
+        reach_m_(greatest_deviation(settings) * settings.sigma_strip_m),
+        least_alignment_(std::cos(settings.greatest_turn_rad)) {}
+
+  double found(uint32_t s) const {
+    if (!(extents_[s].from < extents_[s].to)) return 0;
+    std::vector<MetPoint> wall = points_of_wall(before_and_behind(s));
+    if (wall.size() < settings_.least_points) return 0;
+    return wall[wall.size() / 2].distance_m;  // they come from front to back
+  }
+
+ private:
+  std::vector<MetPoint> before_and_behind(uint32_t s) const {
+    const GivenStrip& strip = scene_.strips[s];
+    const Extent& extent = extents_[s];
+    const Vec2 n = strip.normal, h = along(strip);
+    std::vector<MetPoint> made;
+    Box3 box;
+    for (const double by : {reach_m_, -reach_m_ - kBehind_m})
+      for (const double to : {extent.from, extent.to}) {
+        const Vec2 corner = n * (strip.offset_m + by) + h * to;
+        box.add({corner.u, corner.v, 0});
+      }
+    cells_.each({box.min.x, box.min.y}, {box.max.x, box.max.y}, [&](uint32_t i) {
+      const Vec3 &p = points_.at[i], &way = points_.direction[i];
+      const double off = n.u * p.x + n.v * p.y - strip.offset_m, level = n.u * way.x + n.v * way.y;
+      if (!(level < 0) || off > reach_m_ || off < -reach_m_ - kBehind_m) return;
+      const double climb = way.z / -level;
+      // Of points that are too far behind it counts where their beams come through the strip.
+      const bool is_near = off > -reach_m_;
+      const double back = is_near ? 0 : off / level;
+      const double place = h.u * (p.x - back * way.x) + h.v * (p.y - back * way.y);
+      const double height = p.z - back * way.z;
+      if (place < extent.from || place > extent.to || height < extent.bottom || height > extent.top)
+        return;
+      const bool is_aligned =
+          points_.normal.empty() || std::fabs(dot(points_.normal[i], n)) >= least_alignment_;
+      made.push_back({i, off, p.z, climb, is_near && is_aligned});
+    });
+    return made;
+  }
+
+  const JointPoints& points_;
+  const StripScene& scene_;
+  const JointSettings& settings_;
+  PlanCells cells_;
+  std::vector<Extent> extents_;
+  double reach_m_, least_alignment_;
+};
+
+}  // namespace
+
+bool is_strip_search_wanted(const JointPoints& points, const JointSettings& settings) {
+  constexpr double kSurer = 3;        // the rest must be so much surer
+  constexpr double kBridged_m = 0.5;  // beams come 0.2 m beside, as obliquely as they do
+  const double reach = greatest_deviation(settings) * settings.sigma_strip_m;
+  return reach > kBridged_m && settings.sigma_strip_m > kSurer * sure_part_m(points, settings);
+}
+
+std::vector<double> find_strips(const JointPoints& points, const StripScene& scene,
+                                const JointSettings& settings, Task& task) {
+  std::vector<double> made(scene.strips.size(), 0);
+  if (!is_strip_search_wanted(points, settings)) return made;
+  const StripSearch search(points, scene, settings);
+  constexpr size_t kStripsGrain = 64;
+  parallel_for(task, made.size(), kStripsGrain, [&](size_t begin, size_t end) {
+    for (size_t s = begin; s < end; ++s) made[s] = search.found(static_cast<uint32_t>(s));
+  });
+  return made;
+}
+
+}  // namespace jalon

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "registration/joint/joint_points.h"
+#include "registration/joint/strip_scene.h"
+
+namespace jalon {
+
+/// How far each strip stands off along its normal before anything is adjusted: to the wall (strip_surfaces.h) among the
+/// points before and behind it that the sigmas allow. A strip that stands metres before its wall meets the beams of its
+/// neighbours' instead, and its own pass beside it. All else is taken as it is given, so that it must be surer than the
+/// strips: else, and where no wall is seen, a strip stays where it is given. O(points + strips points about them).
+std::vector<double> find_strips(const JointPoints& points, const StripScene& scene,
+                                const JointSettings& settings, Task& task);
+
+/// By the sigmas: strips may be off by more than the loop bridges, and by more than everything else together.
+bool is_strip_search_wanted(const JointPoints& points, const JointSettings& settings);
+
+}  // namespace jalon

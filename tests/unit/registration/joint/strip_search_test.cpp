@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "registration/joint/strip_search.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace jalon;
+
+namespace {
+
+// A strip 1.5 m wide and 9 m high at y = 0, seen from y = -8; its wall is elsewhere.
+struct OneStrip {
+  StripScene scene;
+  JointPoints points;
+  JointSettings settings;
+
+  OneStrip() {
+    scene.strips = {{0, 0, {0, -1}, 0}};
+    scene.blocks = scene.facades = 1;
+    const Vec3 p{0, 0, 0}, way{1.5, 0, 0}, up{0, 0, 9};
+    scene.corners = {p, p + way, p + way + up, p, p + way + up, p + up};
+    scene.face_of = {0, 0}, scene.strip_of_face = {0}, scene.block_of_face = {0};
+    settings.sigma_block_x_m = settings.sigma_block_y_m = settings.sigma_facade_m = 0.01;
+    settings.sigma_strip_m = 2;
+  }
+  void surface(double y, double from_m, double to_m) {
+    for (double x = 0.25; x < 1.5; x += 0.5)
+      for (double z = from_m; z < to_m; z += 0.25) {
+        const Vec3 at{x, y, z}, from{x, -8, 3};
+        points.at.push_back(at), points.origin.push_back(from);
+        points.direction.push_back(normalized(at - from));
+        points.plan_covariance_m2.push_back({1e-4, 0, 1e-4});
+        points.normal.push_back({0, 1});
+        points.index.push_back(static_cast<uint32_t>(points.index.size()));
+      }
+  }
+  double found() const {
+    Task task;
+    return find_strips(points, scene, settings, task)[0];
+  }
+};
+
+}  // namespace
+
+TEST_CASE("find_strips__metres_before_or_behind_its_wall__finds_the_wall") {
+  for (const double y : {-4.0, -0.7, 2.5}) {
+    OneStrip strip;
+    strip.surface(y, 0.5, 8.5);
+    CHECK(strip.found() == doctest::Approx(-y));  // its normal points to -y
+  }
+}
+
+TEST_CASE("find_strips__behind_a_hoarding__finds_the_wall_and_not_what_stands_before_it") {
+  OneStrip strip;
+  strip.surface(-3, 0, 5);
+  CHECK(strip.found() == doctest::Approx(3));
+  strip.surface(0.5, 6.5, 9);  // beams that pass over it
+  CHECK(strip.found() == doctest::Approx(-0.5));
+}
+
+TEST_CASE("find_strips__with_no_wall_within_reach_or_of_another_turn__leaves_it") {
+  OneStrip far, turned;
+  far.surface(7, 0.5, 8.5);
+  CHECK(far.found() == 0);
+  turned.surface(-1, 0.5, 8.5);
+  for (Vec2& n : turned.points.normal) n = {1, 0};
+  CHECK(turned.found() == 0);
+}
+
+TEST_CASE("find_strips__that_are_as_sure_as_the_rest__leaves_them") {
+  OneStrip strip;
+  strip.surface(-1, 0.5, 8.5);
+  CHECK(is_strip_search_wanted(strip.points, strip.settings));
+  strip.settings.sigma_facade_m = 1;
+  CHECK(!is_strip_search_wanted(strip.points, strip.settings));
+  CHECK(strip.found() == 0);
+}
