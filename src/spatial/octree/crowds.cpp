@@ -4,9 +4,12 @@
 // A crowd: more points than a leaf's on one grid point, not all of them equal. The grid cannot order them, and leaves
 // in the order of their indices would all have to be looked at for each question about one of them. So a crowd is
 // sorted on a grid of its own box, and so are the crowds in that. Each grid is 2^30 times as fine as the one above, or
-// finer, and cubes of octrees end at 2^60 m, doubles at 2^-1074: there are less than 40.
+// finer, and cubes of octrees end at 2^60 m, doubles at 2^-1074: there are less than 40. Where most points of a crowd
+// share one place of its grid again, only the others are sorted there: a line whose spacing shrinks all the way would
+// else be sorted as a whole on each grid.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <vector>
 
@@ -27,6 +30,18 @@ constexpr size_t kPile = 512;  // points on a place: their pairs alone are 2^18
 struct Run {
   size_t first, count;
 };
+
+// Points of a crowd, by their numbers in it. Those of a place that most of them share stand in order already.
+struct Parting {
+  std::vector<uint32_t>
+      sorted;  // that are sorted: all elsewhere, and more of the place than a leaf's
+  std::vector<uint32_t> rest;  // of the place, behind the last of those; empty: all are sorted
+  uint32_t last = 0;           // of the place, of those that are sorted
+};
+
+bool on_one_place(const GridPoint& a, const GridPoint& b) {
+  return a.x == b.x && a.y == b.y && a.z == b.z;
+}
 
 // Grid points with more points than a leaf's; they begin with a leaf (cut_leaves).
 std::vector<Run> full_grid_points(const Octree::Impl& tree, Task& task) {
@@ -50,6 +65,7 @@ class Crowds {
  public:
   Crowds(Octree::Impl& tree, Task& task) : tree_(tree), task_(task) {}
 
+  uint64_t sorted() const { return sorted_; }
   /// Sorts a crowd; equal points stay as they are, by index.
   void order(const Run& run) {
     for (const Run& full : order_on_own_grid(run)) order({run.first + full.first, full.count});
@@ -73,14 +89,55 @@ class Crowds {
   // The points' coordinates in the box of the run, whose longest side lies between a half and 1.
   Buffer<double> scaled(const Run& run, const Box3& box, double longest) const {
     Buffer<double> out(3 * run.count);
-    const int exponent = std::ilogb(longest) + 1;
+    const int exponent = -(std::ilogb(longest) + 1);
+    // By halves: the whole may be no number.
+    const double first = std::ldexp(1.0, exponent / 2),
+                 second = std::ldexp(1.0, exponent - exponent / 2);
     parallel_for(task_, run.count, partition_grain(run.count), [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const Vec3 p = at(run.first + i) - box.min;
         for (int axis = 0; axis < 3; ++axis)
-          out[3 * i + static_cast<size_t>(axis)] = std::ldexp(p[axis], -exponent);
+          out[3 * i + static_cast<size_t>(axis)] = p[axis] * first * second;
       }
     });
+    return out;
+  }
+
+  static GridPoint place_of(const Buffer<double>& xyz, size_t i) {
+    return on_grid_of(xyz.data() + 3 * i, {}, std::ldexp(1.0, kGridBits), static_cast<uint32_t>(i));
+  }
+
+  // The place that most points share, if any does: that which some of them vote for (Boyer & Moore 1991).
+  static GridPoint likely_place(const Buffer<double>& xyz, size_t count) {
+    constexpr size_t kVoters = 64;
+    GridPoint leading{};
+    int lead = 0;
+    for (size_t voter = 0; voter < kVoters; ++voter) {
+      const GridPoint place = place_of(xyz, voter * count / kVoters);
+      if (lead == 0) leading = place;
+      lead += on_one_place(place, leading) ? 1 : -1;
+    }
+    return leading;
+  }
+
+  Parting parted(const Buffer<double>& xyz, size_t count) const {
+    constexpr size_t kHalf = 2;  // fewer than one in so many there: all are sorted
+    const GridPoint place = likely_place(xyz, count);
+    std::vector<uint8_t> is_there(count);
+    parallel_for(task_, count, partition_grain(count), [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) is_there[i] = on_one_place(place_of(xyz, i), place);
+    });
+    Parting out;
+    size_t there = 0;
+    for (const uint8_t is : is_there) there += is;
+    if (there < count / kHalf || there <= kLeafPoints + 1) return out;
+    size_t seen = 0;
+    for (size_t i = 0; i < count; ++i) {
+      // So many that their cell is no single leaf, in which points would stand by index.
+      const bool is_rest = is_there[i] != 0 && seen++ > kLeafPoints;
+      (is_rest ? out.rest : out.sorted).push_back(static_cast<uint32_t>(i));
+      if (is_there[i] != 0 && !is_rest) out.last = static_cast<uint32_t>(i);
+    }
     return out;
   }
 
@@ -90,21 +147,47 @@ class Crowds {
     const Vec3 extent = box.max - box.min;
     const double longest = std::max({extent.x, extent.y, extent.z});
     if (!(longest > 0)) return {};
-    const Buffer<double> xyz = scaled(run, box, longest);
+    Buffer<double> xyz = scaled(run, box, longest);
+    const Parting parting = parted(xyz, run.count);
+    if (!parting.rest.empty()) {
+      for (size_t k = 0; k < parting.sorted.size(); ++k)
+        std::copy_n(xyz.data() + 3 * size_t{parting.sorted[k]}, 3, xyz.data() + 3 * k);
+    }
     Octree::Impl own;
-    own.xyz = {xyz.data(), xyz.size()};
+    own.count = parting.rest.empty() ? run.count : parting.sorted.size();
+    own.xyz = {xyz.data(), 3 * own.count};
     own.step = std::ldexp(own.cube.edge, -kGridBits);
     own.inverse_step = 1 / own.step;
-    own.count = run.count;
     own.sort_points(task_);
-    uint32_t* order = tree_.order.data() + run.first;
-    for (size_t i = 0; i < run.count; ++i) own.order[i] = order[own.order[i]];
-    std::copy_n(own.order.data(), run.count, order);
-    return full_grid_points(own, task_);
+    sorted_ += own.count;
+    return put_back(run, parting, own);
+  }
+
+  // The crowd in the order of its grid; the grid points that are full again.
+  std::vector<Run> put_back(const Run& run, const Parting& parting, const Octree::Impl& own) {
+    const uint32_t* order = tree_.order.data() + run.first;
+    std::vector<uint32_t> ordered;
+    ordered.reserve(run.count);
+    size_t behind = own.count;  // where the rest was put in
+    for (size_t i = 0; i < own.count; ++i) {
+      const uint32_t from = parting.rest.empty() ? own.order[i] : parting.sorted[own.order[i]];
+      ordered.push_back(order[from]);
+      if (parting.rest.empty() || from != parting.last) continue;
+      behind = i + 1;
+      for (const uint32_t r : parting.rest) ordered.push_back(order[r]);
+    }
+    std::copy(ordered.begin(), ordered.end(), tree_.order.data() + run.first);
+    std::vector<Run> full = full_grid_points(own, task_);
+    for (Run& place : full) {
+      if (place.first >= behind) place.first += parting.rest.size();
+      else if (place.first + place.count == behind) place.count += parting.rest.size();
+    }
+    return full;
   }
 
   Octree::Impl& tree_;
   Task& task_;
+  std::atomic<uint64_t> sorted_{0};
 };
 
 }  // namespace
@@ -150,6 +233,7 @@ void Octree::Impl::order_crowds(Task& task) {
     for (size_t r = groups[g]; r < groups[g + 1]; ++r)
       if (runs[r].count <= kCrowdTask) crowds.order(runs[r]);
   });
+  sorted_again = crowds.sorted();
 }
 
 }  // namespace jalon

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -25,6 +26,15 @@ struct alignas(16) GridPoint {
   int32_t x, y, z;
   uint32_t index;
 };
+
+/// Where a point lies on a grid, rounded down; coordinates that are not below the cube's lie on its last step.
+inline GridPoint on_grid_of(const double* p, const Vec3& origin, double inverse_step,
+                            uint32_t index) {
+  constexpr double top = 0x1p31 - 1;
+  return {static_cast<int32_t>(std::min((p[0] - origin.x) * inverse_step, top)),
+          static_cast<int32_t>(std::min((p[1] - origin.y) * inverse_step, top)),
+          static_cast<int32_t>(std::min((p[2] - origin.z) * inverse_step, top)), index};
+}
 
 inline uint64_t code_of(int32_t x, int32_t y, int32_t z) {
   constexpr int shift = kGridBits - kMaxLevel;
@@ -53,6 +63,8 @@ struct Octree::Impl {
   size_t count = 0;
   Buffer<int32_t> x, y, z;
   Buffer<uint32_t> order;
+  /// Points of crowds that were sorted on finer grids, counted on each of them.
+  uint64_t sorted_again = 0;
   size_t leaves = 0;
   Buffer<uint32_t> leaf_first;  ///< leaves + 1
   std::vector<Buffer<BoxBlock>> levels;

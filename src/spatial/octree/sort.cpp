@@ -197,12 +197,7 @@ void Octree::Impl::sort_points(Task& task) {
     const double inverse = inverse_step, s = step;
     const double* p = xyz.data();
     const auto to_grid = [=](size_t i) {
-      const double* q = p + 3 * i;
-      constexpr double top = 0x1p31 - 1;
-      return GridPoint{static_cast<int32_t>(std::min((q[0] - o.x) * inverse, top)),
-                       static_cast<int32_t>(std::min((q[1] - o.y) * inverse, top)),
-                       static_cast<int32_t>(std::min((q[2] - o.z) * inverse, top)),
-                       static_cast<uint32_t>(i)};
+      return on_grid_of(p + 3 * i, o, inverse, static_cast<uint32_t>(i));
     };
     const Digit digit{0, depth};
     append_buckets(partition(count, digit.bins(), digit, task, arrays[0], to_grid), 0, false,

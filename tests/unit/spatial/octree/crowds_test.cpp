@@ -44,6 +44,22 @@ TEST_CASE("crowds__of_a_line_stand_in_its_order_down_to_the_smallest_number") {
   }
 }
 
+// A line is some thirty crowds one in the other: of each, only what leaves it is sorted.
+TEST_CASE("crowds__one_in_the_other_are_not_sorted_as_a_whole_again_and_again") {
+  constexpr int kPoints = 20000;
+  std::vector<double> line, halving;
+  for (int i = 0; i < kPoints; ++i)
+    for (const double c : {std::exp(-700.0 * i / kPoints), 0.0, 0.0}) line.push_back(c);
+  CHECK(build(line)->impl().sorted_again < 2 * kPoints);
+  CHECK(build(line)->impl().sorted_again > kPoints / 2);
+  // Of two halves, one has the crowds.
+  for (int i = 0; i < kPoints; ++i)
+    for (int axis = 0; axis < 3; ++axis)
+      halving.push_back(i % 2 == 0 ? std::exp(-300.0 * i / kPoints) * (1 + axis) : 1 + 1e-5 * i);
+  const auto tree = build(halving);
+  CHECK(tree->impl().sorted_again < 2 * kPoints);
+}
+
 TEST_CASE("crowds__of_equal_points_stay_in_the_order_of_their_indices") {
   std::vector<double> xyz;
   for (int i = 0; i < 500; ++i)
