@@ -90,7 +90,8 @@ double automatic_cell(const Cloud& reference, const Cloud& compared, const Volum
   if (!(least > 0)) return 1;  // points on a line, or one point
   for (int step = 0; step < kCellSteps; ++step) {
     const double cell_m = round_size(least, step);
-    const VolumeGrid grid = grid_over(axes, box, cell_m);
+    const VolumeGrid grid =
+        without_empty_blocks(grid_over(axes, box, cell_m), reference, compared, task);
     if (measured_share(reference, grid, enough, task) >= kEnoughCells &&
         measured_share(compared, grid, enough, task) >= kEnoughCells)
       return cell_m;
@@ -128,7 +129,9 @@ VolumeGrid ground_grid(const Cloud& reference, const Cloud& compared,
                                             : automatic_cell(reference, compared, axes, box,
                                                              settings.min_points, task);
   for (const Vec3& corner : settings.corners()) box.add(axes.project(corner));
-  return grid_over(axes, box, cell_m);
+  const VolumeGrid grid = grid_over(axes, box, cell_m);
+  // All cells of an outline are told of.
+  return settings.outline.empty() ? without_empty_blocks(grid, reference, compared, task) : grid;
 }
 
 }  // namespace jalon

@@ -114,8 +114,8 @@ class GroundMeasurer {
 
  private:
   Vec3 middle_of(size_t cell) const {
-    return {grid_.first_u + (static_cast<double>(cell % grid_.columns) + 0.5) * grid_.cell_m,
-            grid_.first_v + (static_cast<double>(cell / grid_.columns) + 0.5) * grid_.cell_m, 0};
+    return {grid_.first_u + (grid_.column_of(cell) + 0.5) * grid_.cell_m,
+            grid_.first_v + (grid_.row_of(cell) + 0.5) * grid_.cell_m, 0};
   }
   // p: relative to the middle of the cell.
   size_t part_of(const Vec3& p) const {

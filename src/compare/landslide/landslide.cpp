@@ -97,9 +97,9 @@ FieldTable table_of(const Slope& slope, const LandslideSettings& settings,
                       "0 measured; else why the compared epoch has none",
                       [&](size_t c) { return static_cast<uint8_t>(slope.cells.compared[c]); });
   add_column<uint32_t>(table, rows, "column", "", "of the grid",
-                       [&](size_t c) { return c % slope.grid.columns; });
+                       [&](size_t c) { return slope.grid.column_of(c); });
   add_column<uint32_t>(table, rows, "row", "", "of the grid",
-                       [&](size_t c) { return c / slope.grid.columns; });
+                       [&](size_t c) { return slope.grid.row_of(c); });
   add_column<uint32_t>(table, rows, "reference_points", "", "points of the reference",
                        [&](size_t c) { return before.points[c]; });
   add_column<uint32_t>(table, rows, "compared_points", "", "points of the compared epoch",

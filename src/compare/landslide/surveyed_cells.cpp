@@ -58,26 +58,58 @@ std::vector<uint8_t> with_points_or_enclosed(const VolumeGrid& grid, const Groun
   return out;
 }
 
-// Cells that were filled become the mean of those around, over and over: the membrane between the measured ones.
-void relax_places(const VolumeGrid& grid, const std::vector<size_t>& filled,
-                  std::vector<double>& place_m, Task& task) {
-  std::vector<double> next(filled.size());
+/// Filled cells, those inside first, then those by so many steps from one of them.
+struct FilledCells {
+  std::vector<size_t> cells;
+  std::vector<size_t> ends;  ///< of the cells within 0, 1, 2 ... steps
+};
+
+// As far as the value of one gets to a cell inside: a step a relaxation, and through filled cells alone.
+FilledCells filled_near(const VolumeGrid& grid, const std::vector<size_t>& filled,
+                        const std::vector<uint8_t>& is_inside) {
+  FilledCells out;
+  std::vector<uint8_t> waits(grid.cells(), 0);
+  for (const size_t cell : filled) {
+    waits[cell] = is_inside[cell] == 0 ? 1 : 0;
+    if (is_inside[cell] != 0) out.cells.push_back(cell);
+  }
+  size_t begin = 0;
+  for (int step = 0; step < kRelaxations; ++step) {
+    const size_t end = out.cells.size();
+    out.ends.push_back(end);
+    for (; begin < end; ++begin)
+      for_each_around(grid, out.cells[begin], [&](size_t other) {
+        if (waits[other] == 0) return;
+        waits[other] = 0;
+        out.cells.push_back(other);
+      });
+  }
+  return out;
+}
+
+// Cells that were filled become the mean of those around, over and over: the membrane between the measured ones. Those
+// outside only as long as one inside still hears of it.
+void relax_places(const VolumeGrid& grid, const FilledCells& filled, std::vector<double>& place_m,
+                  Task& task) {
+  std::vector<double> next(filled.cells.size());
   for (int sweep = 0; sweep < kRelaxations; ++sweep) {
     task.checkpoint(0);
-    for (size_t k = 0; k < filled.size(); ++k) {
+    const size_t count = filled.ends[static_cast<size_t>(kRelaxations - 1 - sweep)];
+    for (size_t k = 0; k < count; ++k) {
       double sum = 0, n = 0;
-      for_each_around(grid, filled[k], [&](size_t other) {
+      for_each_around(grid, filled.cells[k], [&](size_t other) {
         sum += place_m[other];
         n += 1;
       });
       next[k] = sum / n;
     }
-    for (size_t k = 0; k < filled.size(); ++k) place_m[filled[k]] = next[k];
+    for (size_t k = 0; k < count; ++k) place_m[filled.cells[k]] = next[k];
   }
 }
 
 // Ring by ring, each cell the mean of those around that are known.
-void fill_places(const VolumeGrid& grid, std::vector<double>& place_m, Task& task) {
+void fill_places(const VolumeGrid& grid, const std::vector<uint8_t>& is_inside,
+                 std::vector<double>& place_m, Task& task) {
   std::vector<size_t> filled;
   std::vector<size_t> ring;
   const auto is_known = [&](size_t cell) { return place_m[cell] == place_m[cell]; };
@@ -112,7 +144,7 @@ void fill_places(const VolumeGrid& grid, std::vector<double>& place_m, Task& tas
       });
     ring = std::move(next);
   }
-  relax_places(grid, filled, place_m, task);
+  relax_places(grid, filled_near(grid, filled, is_inside), place_m, task);
 }
 
 // What became of an epoch's cells without ground.
@@ -155,7 +187,7 @@ SurveyedCells surveyed_cells(const VolumeGrid& grid, const GroundHeights& before
   out.place_m.resize(grid.cells());
   for (size_t cell = 0; cell < grid.cells(); ++cell)
     out.place_m[cell] = std::isnan(after.height[cell]) ? before.height[cell] : after.height[cell];
-  fill_places(grid, out.place_m, task);
+  fill_places(grid, out.is_inside, out.place_m, task);
   {
     const ProgressSpan span(task, 0, 0.5, "what the reference's scanners saw");
     tell_why(grid, before, reference, settings, out, out.reference, task);

@@ -124,9 +124,9 @@ FieldTable table_of_cells(const VolumeGrid& grid, const CellHeights& reference,
   const double area = grid.cell_m * grid.cell_m;
   const auto difference = [&](size_t c) { return compared.height[c] - reference.height[c]; };
   add_column<uint32_t>(table, cells, "column", "", "of the grid",
-                       [&](size_t c) { return c % grid.columns; });
+                       [&](size_t c) { return grid.column_of(c); });
   add_column<uint32_t>(table, cells, "row", "", "of the grid",
-                       [&](size_t c) { return c / grid.columns; });
+                       [&](size_t c) { return grid.row_of(c); });
   add_columns<double, 3>(
       table, cells, "xyz", "m", "centre of the cell at the height of the state that has data there",
       [&](size_t c, double* out) {
@@ -154,7 +154,7 @@ std::span<const ParamRow> volume_rows() { return kRows; }
 
 Volume sum_up_volume(const VolumeGrid& grid, const CellHeights& reference,
                      const CellHeights& compared, double dead_band_m, Task& task) {
-  const Totals totals =
+  Totals totals =
       parallel_reduce(task, grid.cells(), kVolumeGrain, Totals{}, [&](size_t begin, size_t end) {
         Totals part;
         for (size_t c = begin; c < end; ++c) {
@@ -166,6 +166,7 @@ Volume sum_up_volume(const VolumeGrid& grid, const CellHeights& reference,
         }
         return part;
       });
+  totals.of_status[kNeither] += grid.all_cells() - grid.cells();
   return {summary_of(totals, grid), table_of_cells(grid, reference, compared)};
 }
 
@@ -181,7 +182,9 @@ Volume volume_between(const Cloud& reference, const Cloud& compared, const Volum
       std::max(spacing_of(first, reference.size()), spacing_of(second, compared.size()));
   Box3 both = first;
   both += second;
-  const VolumeGrid grid = grid_over(axes, both, chosen_cell(settings.cell_m, kSpacings * spacing));
+  const double cell_m = chosen_cell(settings.cell_m, kSpacings * spacing);
+  const VolumeGrid grid =
+      without_empty_blocks(grid_over(axes, both, cell_m), reference, compared, task);
   const CellHeights before = cloud_heights(reference, grid, settings.cell_value, task);
   const CellHeights after = cloud_heights(compared, grid, settings.cell_value, task);
   return sum_up_volume(grid, before, after, settings.dead_band_m, task);

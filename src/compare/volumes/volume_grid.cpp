@@ -18,6 +18,9 @@ namespace {
 
 constexpr size_t kMostCells = size_t{1} << 25;  // 1.3 GB of two states' heights
 constexpr size_t kVolumeGridCellGrain = 4096;
+constexpr size_t kMarkGrain = 1 << 15;
+// Cells a point, up to which a grid stays whole. A survey has a few points in most cells of its rectangle.
+constexpr size_t kFewCellsPerPoint = 4;
 constexpr uint32_t kEnoughAround = 5;  // of eight cells, so that an empty one is surrounded
 
 struct HeightSum {
@@ -77,8 +80,8 @@ struct PlaneSums {
 double interpolated(const GridPoints& points, const VolumeGrid& grid, size_t cell) {
   const auto column = static_cast<int64_t>(cell % grid.columns),
              row = static_cast<int64_t>(cell / grid.columns);
-  const double centre_u = grid.first_u + (static_cast<double>(column) + 0.5) * grid.cell_m;
-  const double centre_v = grid.first_v + (static_cast<double>(row) + 0.5) * grid.cell_m;
+  const double centre_u = grid.first_u + (grid.column_of(cell) + 0.5) * grid.cell_m;
+  const double centre_v = grid.first_v + (grid.row_of(cell) + 0.5) * grid.cell_m;
   PlaneSums sums;
   uint32_t around = 0;
   double base = kNaN;  // heights are summed about the first
@@ -100,16 +103,18 @@ double interpolated(const GridPoints& points, const VolumeGrid& grid, size_t cel
 }  // namespace
 
 size_t VolumeGrid::cell_of(const Vec3& p) const {
-  const auto index = [&](double at, double first, uint32_t count) {
+  const auto index = [&](double at, double first, uint32_t count, const KeptBlocks& kept) {
     const double i = std::floor((at - first) / cell_m);
-    return static_cast<size_t>(std::clamp(i, 0.0, static_cast<double>(count - 1)));
+    const double last = static_cast<double>(count + kept.left_out() - 1);
+    return static_cast<size_t>(kept.kept_of(static_cast<uint32_t>(std::clamp(i, 0.0, last))));
   };
-  return index(p.y, first_v, rows) * columns + index(p.x, first_u, columns);
+  return index(p.y, first_v, rows, kept_rows) * columns +
+         index(p.x, first_u, columns, kept_columns);
 }
 
 Vec3 VolumeGrid::place(size_t cell, double height) const {
-  const double at_u = first_u + (static_cast<double>(cell % columns) + 0.5) * cell_m;
-  const double at_v = first_v + (static_cast<double>(cell / columns) + 0.5) * cell_m;
+  const double at_u = first_u + (column_of(cell) + 0.5) * cell_m;
+  const double at_v = first_v + (row_of(cell) + 0.5) * cell_m;
   return origin + (u * at_u + v * at_v + up * height);
 }
 
@@ -138,6 +143,25 @@ VolumeGrid grid_over(VolumeGrid grid, const Box3& projected, double cell_m) {
   grid.first_v = v0 * cell_m;
   grid.columns = static_cast<uint32_t>(columns);
   grid.rows = static_cast<uint32_t>(rows);
+  return grid;
+}
+
+VolumeGrid without_empty_blocks(VolumeGrid grid, const Cloud& first, const Cloud& second,
+                                Task& task) {
+  if (grid.cells() <= kFewCellsPerPoint * (first.size() + second.size())) return grid;
+  std::vector<uint8_t> columns(KeptBlocks::blocks_of(grid.columns), 0),
+      rows(KeptBlocks::blocks_of(grid.rows), 0);
+  for (const Cloud* cloud : {&first, &second})
+    for (size_t i = 0; i < cloud->size(); ++i) {
+      if (i % kMarkGrain == 0) task.checkpoint(0);
+      const size_t cell = grid.cell_of(grid.project(cloud->point(i)));
+      columns[cell % grid.columns / KeptBlocks::kBlock] = 1;
+      rows[cell / grid.columns / KeptBlocks::kBlock] = 1;
+    }
+  grid.kept_columns = KeptBlocks(columns);
+  grid.kept_rows = KeptBlocks(rows);
+  grid.columns -= grid.kept_columns.left_out();
+  grid.rows -= grid.kept_rows.left_out();
   return grid;
 }
 

@@ -9,6 +9,7 @@
 #include "base/buffer.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
+#include "compare/volumes/kept_blocks.h"
 #include "geometry/vec.h"
 
 namespace jalon {
@@ -20,15 +21,27 @@ struct VolumeGrid {
       up{0, 0, 1};  ///< along columns, along rows, the direction; right-handed
   double cell_m = 1;
   double first_u = 0, first_v = 0;  ///< where column and row 0 begin; whole cells from the origin
-  uint32_t columns = 0, rows = 0;
+  uint32_t columns = 0, rows = 0;   ///< that are kept, as cells are numbered
+  KeptBlocks kept_columns, kept_rows;  ///< of all (without_empty_blocks)
 
   size_t cells() const { return size_t{columns} * rows; }
+  /// With those that are left out.
+  size_t all_cells() const {
+    return (size_t{columns} + kept_columns.left_out()) * (size_t{rows} + kept_rows.left_out());
+  }
+  /// Numbers among all columns and all rows.
+  uint32_t column_of(size_t cell) const {
+    return kept_columns.cell_of(static_cast<uint32_t>(cell % columns));
+  }
+  uint32_t row_of(size_t cell) const {
+    return kept_rows.cell_of(static_cast<uint32_t>(cell / columns));
+  }
   /// (along u, along v, height), relative to the origin.
   Vec3 project(const Vec3& p) const {
     const Vec3 local = p - origin;
     return {dot(local, u), dot(local, v), dot(local, up)};
   }
-  /// Of a projected point inside the grid's box.
+  /// Of a projected point inside the grid's box, of the clouds whose empty blocks were left out.
   size_t cell_of(const Vec3& projected) const;
   /// Centre of a cell at this height, in world coordinates.
   Vec3 place(size_t cell, double height) const;
@@ -36,6 +49,10 @@ struct VolumeGrid {
 
 /// The grid over a box of projected points; the number of cells is bounded (kLimit). The grid given has its axes.
 VolumeGrid grid_over(VolumeGrid axes, const Box3& projected, double cell_m);
+/// The grid for the points of both clouds; where it has far more cells than they have points, without the blocks of
+/// columns and of rows that lie far from all of them.
+VolumeGrid without_empty_blocks(VolumeGrid grid, const Cloud& first, const Cloud& second,
+                                Task& task);
 /// Axes and origin for what lies in both boxes (world coordinates). Throws kInvalidArgument unless
 /// the direction has three numbers and a length.
 VolumeGrid volume_axes(const Box3& first, const Box3& second, std::span<const double> direction);

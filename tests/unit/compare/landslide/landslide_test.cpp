@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "compare/landslide/ground_grid.h"
 #include "slope_fixture.h"
 
 using namespace jalon;
@@ -43,6 +44,39 @@ TEST_CASE("landslide__fills_in_nothing_where_an_epoch_has_no_points") {
   CHECK(summed(made, "unmeasured_reference") < 1);
   CHECK(summed(made, "unmeasured_beside_zones") == doctest::Approx(4 * 12).epsilon(0.05));
   CHECK(summed(made, "open_boundary") == doctest::Approx(12).epsilon(0.2));  // both sides, 6 m each
+}
+
+// As where a point stands at the origin of its national grid.
+TEST_CASE("landslide__of_a_slope_and_a_far_point_is_that_of_the_slope") {
+  const auto with_stray = [](const CloudPtr& cloud) {
+    std::vector<Vec3> points = {{-200000.5, 15, 100}};
+    for (size_t i = 0; i < cloud->size(); ++i) points.push_back(cloud->point(i));
+    return cloud_of_points(points);
+  };
+  // A hole, whose cells are told of, and a corner, whose cells are not.
+  const auto gap = [](double x, double y) {
+    return (x > 10 && x < 14 && y > 10 && y < 14) || (x > 30 && y > 20);
+  };
+  const CloudPtr before = slope_survey(false, 1, 20000, gap),
+                 after = slope_survey(true, 2, 20000, gap), far_before = with_stray(before),
+                 far_after = with_stray(after);
+  LandslideSettings settings;
+  settings.cell_m = 1;
+  Task task;
+  CHECK(ground_grid(*far_before, *far_after, settings, task).cells() < 5 * KeptBlocks::kBlock * 30);
+  const Comparison alone = compared_slopes(before, after),
+                   both = compared_slopes(far_before, far_after);
+  for (const char* name : {"depletion", "accumulation", "net_sigma", "systematic", "boundary"})
+    CHECK(summed(both, name) == doctest::Approx(summed(alone, name)).epsilon(1e-3));
+  REQUIRE(both.cloud->size() == alone.cloud->size() + 1);
+  const Column &column = both.points.require("column"), &near = alone.points.require("column");
+  size_t same = 0, other = 0;  // rows, by their places
+  for (size_t i = 0; i < alone.cloud->size(); ++i, ++other) {
+    if (column.number(other) < 1000) ++other;
+    CHECK(column.number(other) == near.number(i) + 200001);
+    same += norm(both.cloud->point(other) - alone.cloud->point(i)) < 1e-6 ? 1 : 0;
+  }
+  CHECK(same == alone.cloud->size());
 }
 
 TEST_CASE("landslide__refuses_empty_clouds_and_short_lists") {

@@ -139,3 +139,27 @@ TEST_CASE("cloud_heights__interpolated_lie_on_a_slope_and_close_single_gaps") {
   CHECK(std::isnan(height_at(9.5, 7.5)));
   CHECK_FALSE(std::isnan(height_at(8.5, 7.5)));
 }
+
+TEST_CASE("volume_grid__over_two_far_places_has_the_cells_of_both_and_their_numbers") {
+  Task task;
+  std::vector<Vec3> points = random_points(2000, 10, 4);
+  for (size_t i = 0; i < points.size(); i += 2) points[i] += Vec3{100000.25, 37, 0};
+  const Cloud cloud = cloud_of(points);
+  const VolumeGrid whole = grid_of_cloud(cloud, {0, 0, 1}, 0.5);
+  REQUIRE(whole.cells() > 10'000'000);
+  const VolumeGrid grid = without_empty_blocks(whole, cloud, cloud, task);
+  CHECK(grid.cells() < 8 * KeptBlocks::kBlock * size_t{whole.rows});
+  CHECK(grid.all_cells() == whole.cells());
+  for (size_t i = 0; i < cloud.size(); ++i) {
+    const Vec3 p = grid.project(cloud.point(i));
+    const size_t cell = grid.cell_of(p), before = whole.cell_of(p);
+    REQUIRE(cell < grid.cells());
+    REQUIRE(grid.column_of(cell) == before % whole.columns);
+    REQUIRE(grid.row_of(cell) == before / whole.columns);
+    REQUIRE(grid.place(cell, p.z) == whole.place(before, p.z));
+  }
+  // What has a few cells a point stays whole.
+  const Cloud near = cloud_of(random_points(2000, 10, 4));
+  const VolumeGrid plain = grid_of_cloud(near, {0, 0, 1}, 0.5);
+  CHECK(without_empty_blocks(plain, near, near, task).cells() == plain.cells());
+}

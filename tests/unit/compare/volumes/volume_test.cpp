@@ -139,6 +139,35 @@ TEST_CASE("volume__lists_and_counts_the_cells_without_data") {
   CHECK(listed == 6 * 8);
 }
 
+// A point of no survey, a hundred kilometres off: the cells between are counted, and nothing else is done with them.
+TEST_CASE("volume__of_a_survey_and_a_far_point_is_that_of_the_survey") {
+  const auto with_stray = [](const Cloud& cloud) {
+    std::vector<Vec3> points = {{-100000.75, 15, 100}};
+    for (size_t i = 0; i < cloud.size(); ++i) points.push_back(cloud.point(i));
+    return volume_cloud_of(points);
+  };
+  const Cloud before = survey(false, 1, 20000), after = survey(true, 2, 20000);
+  for (const CellValue value : {CellValue::kMean, CellValue::kInterpolated}) {
+    Task task;
+    VolumeSettings settings;
+    settings.cell_m = 0.5;
+    settings.cell_value = value;
+    const Volume alone = volume_between(before, after, settings, task),
+                 both = volume_between(with_stray(before), with_stray(after), settings, task);
+    for (const char* name : {"cut", "fill", "net", "sigma", "mean_difference"})
+      CHECK(of(both, name) == doctest::Approx(of(alone, name)).epsilon(1e-3));
+    CHECK(of(both, "cells") == of(alone, "cells") + 1);
+    const double columns = 80 + 2 * 100001, rows = 60;
+    CHECK(of(both, "cells") + of(both, "without_reference") + of(both, "without_compared") +
+              of(both, "without_data") ==
+          columns * rows);
+    const Column& column = both.cells.require("column");
+    double most = 0;
+    for (size_t i = 0; i < column.count(); ++i) most = std::max(most, column.number(i));
+    CHECK(most == columns - 1);
+  }
+}
+
 TEST_CASE("volume__along_another_direction") {
   // A wall that moved by 0.1 m along x.
   std::vector<Vec3> before, after;
