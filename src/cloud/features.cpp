@@ -91,6 +91,7 @@ using Values = std::array<double, kFeatures>;
 
 struct FeaturesScratch {
   std::vector<Vec3> points, work;
+  Values last{};
 };
 
 /// k / (pi d_k^2) with the k others, or n / (pi r^2): Girardeau-Montaut 2006, C.2. Duplicates only: NaN.
@@ -230,7 +231,8 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
   for_each_summed_neighbourhood<FeaturesScratch>(
       *tree, settings.k, radius_m, with_curvatures(chosen), task,
       [&](const Neighbourhood& around, FeaturesScratch& scratch) {
-        write(around.point, features_at(*tree, around, radius_m, chosen, scratch));
+        if (!around.repeats) scratch.last = features_at(*tree, around, radius_m, chosen, scratch);
+        write(around.point, scratch.last);
       },
       [&](const SummedBalls& sums, const Octree::RangedBall& ball) {
         write(ball.point, features_of_sums(sums, ball, radius_m, chosen));

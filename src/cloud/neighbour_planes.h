@@ -25,6 +25,13 @@ struct NeighbourPlane {
   size_t count;               ///< of the neighbours
 };
 
+/// Sums over neighbours of grid coordinates relative to the point, and of their products.
+struct NeighbourSums {
+  size_t count = 0;
+  Vec3 sum;
+  Symmetric3 products{};
+};
+
 /// Takes neighbourhoods one after the other and hands their planes on, four at a time.
 template <class Write>
 class NeighbourPlanes {
@@ -37,6 +44,9 @@ class NeighbourPlanes {
   /// The neighbours of the point at a sorted position. Grid coordinates relative to the point are exact, so the sums
   /// are the same wherever the cloud lies.
   void add(size_t centre, const uint32_t* neighbours, size_t count) {
+    add(centre, sums_of(centre, neighbours, count));
+  }
+  NeighbourSums sums_of(size_t centre, const uint32_t* neighbours, size_t count) const {
     double sx = 0, sy = 0, sz = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
     const int32_t cx = x_[centre], cy = y_[centre], cz = z_[centre];
     for (size_t j = 0; j < count; ++j) {
@@ -45,15 +55,30 @@ class NeighbourPlanes {
       sx += dx, sy += dy, sz += dz;
       xx += dx * dx, xy += dx * dy, xz += dx * dz, yy += dy * dy, yz += dy * dz, zz += dz * dz;
     }
-    take(centre, count, {sx, sy, sz}, {xx, xy, xz, yy, yz, zz});
+    return {count, {sx, sy, sz}, {xx, xy, xz, yy, yz, zz}};
   }
 
   /// The same for neighbours that are summed already, as seen from the point.
   void add(size_t centre, const PowerSums<2>& sums) {
-    take(centre, static_cast<size_t>(sums.count()),
-         {sums.of(1, 0, 0), sums.of(0, 1, 0), sums.of(0, 0, 1)},
-         {sums.of(2, 0, 0), sums.of(1, 1, 0), sums.of(1, 0, 1), sums.of(0, 2, 0), sums.of(0, 1, 1),
-          sums.of(0, 0, 2)});
+    add(centre, NeighbourSums{static_cast<size_t>(sums.count()),
+                              {sums.of(1, 0, 0), sums.of(0, 1, 0), sums.of(0, 0, 1)},
+                              {sums.of(2, 0, 0), sums.of(1, 1, 0), sums.of(1, 0, 1),
+                               sums.of(0, 2, 0), sums.of(0, 1, 1), sums.of(0, 0, 2)}});
+  }
+  void add(size_t centre, const NeighbourSums& sums) {
+    const size_t count = sums.count;
+    const double inverse = 1 / static_cast<double>(count);
+    const auto& [sx, sy, sz] = sums.sum;
+    const auto& [xx, xy, xz, yy, yz, zz] = sums.products;
+    Symmetric3& m = covariance_[filled_];
+    m = {xx - sx * sx * inverse, xy - sx * sy * inverse, xz - sx * sz * inverse,
+         yy - sy * sy * inverse, yz - sy * sz * inverse, zz - sz * sz * inverse};
+    four_.set(filled_, m[0], m[1], m[2], m[3], m[4], m[5]);
+    count_[filled_] = count;
+    position_[filled_] = centre;
+    squared_offset_[filled_] = (sx * sx + sy * sy + sz * sz) * inverse * inverse;
+    offset_[filled_] = {sx * inverse, sy * inverse, sz * inverse};
+    if (++filled_ == 4) flush();
   }
 
   void flush() {
@@ -69,21 +94,6 @@ class NeighbourPlanes {
   }
 
  private:
-  // From the sums of the neighbours' coordinates relative to the point and of their products.
-  void take(size_t centre, size_t count, const Vec3& sum, const Symmetric3& products) {
-    const double inverse = 1 / static_cast<double>(count);
-    const auto& [sx, sy, sz] = sum;
-    const auto& [xx, xy, xz, yy, yz, zz] = products;
-    Symmetric3& m = covariance_[filled_];
-    m = {xx - sx * sx * inverse, xy - sx * sy * inverse, xz - sx * sz * inverse,
-         yy - sy * sy * inverse, yz - sy * sz * inverse, zz - sz * sz * inverse};
-    four_.set(filled_, m[0], m[1], m[2], m[3], m[4], m[5]);
-    count_[filled_] = count;
-    position_[filled_] = centre;
-    squared_offset_[filled_] = (sx * sx + sy * sy + sz * sz) * inverse * inverse;
-    offset_[filled_] = {sx * inverse, sy * inverse, sz * inverse};
-    if (++filled_ == 4) flush();
-  }
   void solve_with_care(int i) {
     const Eigen3 e = symmetric_eigen(covariance_[i]);
     // All on a line: the second eigenvalue is what rounding leaves of the largest.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -19,14 +20,34 @@ struct Neighbourhood {
   size_t point;  ///< sorted position
   std::span<const uint32_t> neighbours;
   std::span<const float> squared;
+  bool repeats =
+      false;  ///< neighbours and place of the grid are those of the one visited before with this scratch
 };
 
+/// Has a point of a batch the neighbours and the place of the grid of the point before? Then local() coordinates tell
+/// the same of both: of points that coincide, sums over their neighbours are taken once.
+inline bool repeats_before(const Octree& tree, const Octree::BallBatch& batch, size_t i) {
+  if (i == 0) return false;
+  const uint32_t *begin = batch.neighbours + batch.offsets[i],
+                 *end = batch.neighbours + batch.offsets[i + 1],
+                 *before = batch.neighbours + batch.offsets[i - 1];
+  // What tells nearly all apart comes first.
+  if (end - begin != begin - before || *begin != *before) return false;
+  const size_t point = batch.first + i;
+  const auto same = [&](const int32_t* axis) { return axis[point] == axis[point - 1]; };
+  return same(tree.grid_x()) && same(tree.grid_y()) && same(tree.grid_z()) &&
+         std::equal(begin, end, before);
+}
+
 template <class Scratch, class F>
-void visit_balls(const Octree::BallBatch& batch, F&& visit) {
+void visit_balls(const Octree& tree, const Octree::BallBatch& batch, F&& visit) {
   Scratch scratch;
   for (size_t i = 0; i < batch.count; ++i) {
     const size_t begin = batch.offsets[i], n = batch.offsets[i + 1] - begin;
-    visit(Neighbourhood{batch.first + i, {batch.neighbours + begin, n}, {batch.squared + begin, n}},
+    visit(Neighbourhood{batch.first + i,
+                        {batch.neighbours + begin, n},
+                        {batch.squared + begin, n},
+                        repeats_before(tree, batch, i)},
           scratch);
   }
 }
@@ -38,8 +59,9 @@ template <class Scratch, class F>
 void for_each_neighbourhood(const Octree& tree, uint32_t k, double radius_m, Task& task,
                             F&& visit) {
   if (radius_m > 0) {
-    tree.for_each_ball(radius_m, task,
-                       [&](const Octree::BallBatch& batch) { visit_balls<Scratch>(batch, visit); });
+    tree.for_each_ball(radius_m, task, [&](const Octree::BallBatch& batch) {
+      visit_balls<Scratch>(tree, batch, visit);
+    });
     return;
   }
   tree.for_each_knn(k, task, [&](const Octree::Batch& batch) {
@@ -60,7 +82,8 @@ template <class Scratch, class F, class G>
 void for_each_crowded_neighbourhood(const Octree& tree, double radius_m, Task& task, F&& visit,
                                     G&& crowded) {
   tree.for_each_crowded_ball(
-      radius_m, task, [&](const Octree::BallBatch& batch) { visit_balls<Scratch>(batch, visit); },
+      radius_m, task,
+      [&](const Octree::BallBatch& batch) { visit_balls<Scratch>(tree, batch, visit); },
       [&](const Octree::CrowdedBall& ball) {
         Scratch scratch;
         crowded(ball, scratch);
@@ -114,7 +137,8 @@ void for_each_summed_neighbourhood(const Octree& tree, uint32_t k, double radius
   if (!(radius_m > 0)) return for_each_neighbourhood<Scratch>(tree, k, 0, task, visit);
   const SummedBalls sums(tree, radius_m, with_quadrics, task);
   tree.for_each_ranged_ball(
-      radius_m, task, [&](const Octree::BallBatch& batch) { visit_balls<Scratch>(batch, visit); },
+      radius_m, task,
+      [&](const Octree::BallBatch& batch) { visit_balls<Scratch>(tree, batch, visit); },
       [&](const Octree::RangedBall& ball) { summed(sums, ball); });
 }
 

@@ -6,6 +6,7 @@
 
 #include "base/numbers.h"
 #include "cloud/neighbour_planes.h"
+#include "cloud/neighbourhoods.h"
 #include "spatial/neighbours/range_sums.h"
 
 namespace jalon {
@@ -68,8 +69,13 @@ PcaNormals pca_normals_radius(const Octree& tree, double radius_m, bool with_cur
       radius_m, task,
       [&](const Octree::BallBatch& b) {
         NeighbourPlanes planes(tree, ColumnWriter(tree, out));
-        for (size_t i = 0; i < b.count; ++i)
-          planes.add(b.first + i, b.neighbours + b.offsets[i], b.offsets[i + 1] - b.offsets[i]);
+        NeighbourSums listed;
+        for (size_t i = 0; i < b.count; ++i) {
+          const size_t count = b.offsets[i + 1] - b.offsets[i];
+          if (!repeats_before(tree, b, i))
+            listed = planes.sums_of(b.first + i, b.neighbours + b.offsets[i], count);
+          planes.add(b.first + i, listed);
+        }
         planes.flush();
       },
       [&](const Octree::RangedBall& ball) {

@@ -11,6 +11,7 @@ namespace {
 
 struct NormalsQuadricScratch {
   std::vector<Vec3> points, work;
+  Vec3 last;
 };
 
 Vec3 normal_of(const PrincipalFrame& frame, const LocalQuadric& fit) {
@@ -62,7 +63,8 @@ std::shared_ptr<Column> quadric_normals(const Octree& tree, uint32_t k, double r
   for_each_summed_neighbourhood<NormalsQuadricScratch>(
       tree, k, radius_m, true, task,
       [&](const Neighbourhood& around, NormalsQuadricScratch& scratch) {
-        write(around.point, quadric_normal(tree, around, scratch));
+        if (!around.repeats) scratch.last = quadric_normal(tree, around, scratch);
+        write(around.point, scratch.last);
       },
       [&](const SummedBalls& sums, const Octree::RangedBall& ball) {
         write(ball.point, quadric_normal(sums, ball));

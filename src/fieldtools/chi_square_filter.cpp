@@ -113,7 +113,7 @@ class LocalTest {
     valued_.tree->for_each_ranged_ball(
         radius_m, task,
         [&](const Octree::BallBatch& batch) {
-          visit_balls<ChiSquareFilterScratch>(batch, of_list);
+          visit_balls<ChiSquareFilterScratch>(*valued_.tree, batch, of_list);
         },
         [&](const Octree::RangedBall& ball) {
           if (is_wanted(ball.point)) outcomes[ball.point] = run(ball, sums, counts);

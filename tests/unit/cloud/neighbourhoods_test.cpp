@@ -43,6 +43,37 @@ TEST_CASE("neighbourhoods__by_radius_or_number_hold_the_points_that_brute_force_
   }
 }
 
+// So that the cost of a pile does not grow with its square.
+TEST_CASE("neighbourhoods__of_points_that_coincide_are_told_to_repeat") {
+  std::vector<Vec3> points = random_points(300, 4, 3);
+  for (int i = 0; i < 700; ++i) points.push_back({2, 2, 2});
+  Task task;
+  const Cloud cloud = cloud_of(points);
+  const auto tree = cloud.octree(task);
+  struct Last {
+    size_t point = 0;
+    std::vector<uint32_t> neighbours;
+  };
+  Task::Hooks hooks;
+  hooks.threads = 1;
+  Task one(hooks);
+  size_t visits = 0, anew = 0;
+  for_each_neighbourhood<Last>(*tree, 5, 0.6, one, [&](const Neighbourhood& n, Last& last) {
+    ++visits;
+    anew += n.repeats ? 0 : 1;
+    const std::vector<uint32_t> neighbours(n.neighbours.begin(), n.neighbours.end());
+    if (n.repeats) {
+      REQUIRE(neighbours == last.neighbours);
+      REQUIRE(tree->local(n.point) == tree->local(last.point));
+    }
+    last = {n.point, neighbours};
+  });
+  CHECK(visits == 1000);
+  // The pile once, and where chunks and what they hand on begin.
+  CHECK(anew >= 301);
+  CHECK(anew < 330);
+}
+
 TEST_CASE("neighbourhoods__of_a_cloud_smaller_than_k_are_the_whole_cloud") {
   Task task;
   const Cloud cloud = cloud_of(random_points(4, 1, 2));
