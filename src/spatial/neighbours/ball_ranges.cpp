@@ -102,8 +102,13 @@ void BallRanges::take(size_t first, size_t last) {
 
 void BallRanges::scan(const Vec3& centre, size_t first, size_t last) {
   looked_at_ += last - first;
-  for (size_t i = first; i < last; ++i)
-    if (squared_norm(tree_.exact_point(i) - centre) <= squared_m2_) take(i, i + 1);
+  size_t begin = first;  // of those inside that follow one another
+  for (size_t i = first; i < last; ++i) {
+    if (squared_norm(tree_.exact_point(i) - centre) <= squared_m2_) continue;
+    if (begin < i) take(begin, i);
+    begin = i + 1;
+  }
+  if (begin < last) take(begin, last);
 }
 
 }  // namespace jalon

@@ -15,9 +15,7 @@ namespace jalon {
 
 /// The grid coordinates of a sorted position.
 inline Vec3 grid_place(const Octree& tree, size_t position) {
-  return {static_cast<double>(tree.grid_x()[position]),
-          static_cast<double>(tree.grid_y()[position]),
-          static_cast<double>(tree.grid_z()[position])};
+  return tree.impl().grid_point(position);
 }
 
 /// The caller's coordinates, in metres: where the grid does not tell points apart.
