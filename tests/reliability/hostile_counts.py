@@ -26,11 +26,11 @@ def calls_of(folder):
 
 
 def worst_of(folder):
-    """(times, cloud): the dearest beside the ordinary ones, all of it or each row of the answer."""
+    """(times, cloud, whole): the dearest beside the ordinary ones, all of it or each row of the answer, and all of it."""
     calls = calls_of(folder)
     whole = max(count for _, _, count in calls[:ORDINARY])
     row = max(count / rows for _, rows, count in calls[:ORDINARY])
-    return max((min(count / whole, count / rows / row), cloud) for cloud, rows, count in calls[ORDINARY:])
+    return max((min(count / whole, count / rows / row), cloud, count / whole) for cloud, rows, count in calls[ORDINARY:])
 
 
 def name_of(folder):
@@ -59,7 +59,7 @@ def verdict(folders):
     for name, operation in sorted(chosen.items()):
         points = operation.parent.name
         try:
-            times, cloud = worst_of(operation)
+            times, cloud, whole = worst_of(operation)
         except ValueError as error:
             print(f"not ok - hostile: {name}: {error}")
             failed += 1
@@ -67,7 +67,8 @@ def verdict(folders):
         worst = max(worst, (times, name, cloud))
         good = times <= MOST_TIMES
         passed, failed = passed + good, failed + (not good)
-        print(f"{'ok' if good else 'not ok'} - hostile: {name}, {points} points: {times:.1f} times an ordinary cloud ({cloud})")
+        rows = f", by rows of the answer; as a whole {whole:.1f}" if whole > times else ""
+        print(f"{'ok' if good else 'not ok'} - hostile: {name}, {points} points: {times:.1f} times an ordinary cloud ({cloud}){rows}")
     print(f"FIGURE counted work: {len(chosen)} operations on sixteen hostile clouds, at most {worst[0]:.1f} times the instructions "
           f"of an ordinary one ({worst[1]}, {worst[2]})")
     print(f"{passed} passed, {failed} failed")
