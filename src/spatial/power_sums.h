@@ -70,8 +70,8 @@ class PowerSums {
   }
 
  private:
-  // f(First) ... f(Last), as constants: what they name is known where the loop is compiled, and a row stays in registers.
-  // A fifth of the instructions of loops.
+  // f(First) ... f(Last), as constants: what they name is known when the loop is compiled, a row stays in registers. A
+  // fifth of the instructions of loops.
   template <int First, int Last, class F>
   static void unrolled(const F& f) {
     if constexpr (First <= Last) {
