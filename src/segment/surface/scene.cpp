@@ -53,6 +53,8 @@ void look_at_cells(SegmentScene& scene, Task& task) {
   scene.fine_level = std::clamp(static_cast<int>(std::floor(finest)), 0, kMaxLevel);
   scene.coarse_level = std::max(0, scene.fine_level - kLevels);
   scene.level = Buffer<uint8_t>(scene.size());
+  if (scene.normals.empty()) scene.normals = Buffer<float>(3 * scene.size());
+  if (scene.spacing.empty()) scene.spacing = Buffer<float>(scene.size());
   scene.cell_firsts =
       cell_firsts(*scene.tree, scene.coarse_level, scene.fine_level, scene.level, task);
   estimate_local_surface(scene, task);

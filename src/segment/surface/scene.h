@@ -95,7 +95,7 @@ struct SegmentScene {
 
 /// Index and room for the columns of the points, all of them free; normals and spacing are still to be written.
 SegmentScene indexed_scene(const Cloud& cloud, const SurfaceSettings& settings, Task& task);
-/// Adds the octree's cells, and normals and spacing from them.
+/// Adds the octree's cells, and normals and spacing from them: in columns anew where these were given back.
 void look_at_cells(SegmentScene& scene, Task& task);
 /// Both.
 SegmentScene scene_with_cells(const Cloud& cloud, const SurfaceSettings& settings, Task& task);

@@ -24,6 +24,11 @@ struct LocalMesh {
   }
 };
 
+using TriangleCorners = std::array<uint32_t, 3>;
+TriangleCorners ascending_corners(uint32_t a, uint32_t b, uint32_t c);
+/// The mesh gets the triangles, and knows which of them are at each of so many points.
+void take_triangles(LocalMesh& mesh, std::vector<TriangleCorners> triangles, size_t points);
+
 /// What makes a triangle.
 struct MeshRule {
   uint32_t k = 16;

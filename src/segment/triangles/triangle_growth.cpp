@@ -3,8 +3,11 @@
 #include "segment/triangles/triangle_growth.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <deque>
 #include <numeric>
+#include <utility>
 
 namespace jalon {
 
@@ -16,36 +19,75 @@ constexpr double kTriangleRefit = 1.1;    // growth after which the plane is fit
 constexpr double kNoiseSigmas = 3;        // of a corner, that turn a small triangle
 constexpr uint64_t kLeastForSigma = 12;   // points that tell the noise (as in local_surface.cpp)
 constexpr size_t kTrianglesPerCheckpoint = 1 << 12;
+constexpr size_t kRoughnessClasses = 16;  // most of the points have regions after the first few
+constexpr int kDigitShift = 17;           // sign, exponent and six bits: steps of 1.6 %
 
 class TriangleGrower {
  public:
-  TriangleGrower(const Octree& tree, const LocalMesh& mesh, const TriangleRule& rule, Task& task)
+  TriangleGrower(const Octree& tree, LocalMesh mesh, const TriangleRule& rule, Task& task)
       : tree_(tree),
-        mesh_(mesh),
+        mesh_(std::move(mesh)),
         rule_(rule),
         task_(task),
-        asked_(mesh.triangles.size(), 0),
-        spent_(tree.size(), 0) {
+        asked_(mesh_.triangles.size(), false),
+        spent_(tree.size(), false) {
     regions_.labels.assign(tree.size(), 0);
   }
 
   TriangleRegions run() {
-    const std::vector<uint32_t> seeds = seeds_by_roughness();
-    for (size_t i = 0; i < seeds.size(); ++i) {
-      progress_ = static_cast<double>(i) / static_cast<double>(seeds.size());
-      if (i % kTrianglesPerCheckpoint == 0) task_.checkpoint(progress_);
-      if (regions_.labels[seeds[i]] == 0 && spent_[seeds[i]] == 0) try_seed(seeds[i]);
+    size_t tried = 0;
+    for (const RoughnessClass& c : roughness_classes()) {
+      for (const uint32_t seed : seeds_of(c)) {
+        if (tried++ % kTrianglesPerCheckpoint == 0) task_.checkpoint(progress_);
+        if (is_seed(seed)) try_seed(seed);
+      }
+      progress_ += static_cast<double>(c.points) / static_cast<double>(tree_.size());
+      task_.checkpoint(progress_);
     }
     return std::move(regions_);
   }
 
  private:
-  std::vector<uint32_t> seeds_by_roughness() const {
+  bool is_seed(uint32_t point) const {
+    return regions_.labels[point] == 0 && !spent_[point] && !mesh_.triangles_at(point).empty();
+  }
+
+  // Seeds go from smooth to rough. They are sorted class by class, from values of roughness that have about as many
+  // points each: most of the later ones belong to regions by then and need not be.
+  struct RoughnessClass {
+    uint32_t first, last;  ///< digits [first, last)
+    size_t points;
+  };
+  static uint32_t digit_of(float roughness) {
+    return std::bit_cast<uint32_t>(roughness) >>
+           kDigitShift;  // orders as the numbers do, from 0 up
+  }
+  std::vector<RoughnessClass> roughness_classes() const {
+    std::vector<size_t> counts(size_t{1} << (32 - kDigitShift), 0);
+    for (const float roughness : mesh_.roughness_m)
+      if (smooth(roughness)) ++counts[digit_of(roughness)];
+    std::vector<RoughnessClass> classes;
+    RoughnessClass next{0, 0, 0};
+    for (uint32_t digit = 0; digit < counts.size(); ++digit) {
+      next.points += counts[digit];
+      next.last = digit + 1;
+      if (next.points < tree_.size() / kRoughnessClasses + 1 && next.last < counts.size()) continue;
+      classes.push_back(next);
+      next = {next.last, next.last, 0};
+    }
+    return classes;
+  }
+  bool smooth(float roughness) const {
+    return static_cast<double>(roughness) <= kSeedRoughness * rule_.tolerance_m;
+  }
+  std::vector<uint32_t> seeds_of(const RoughnessClass& c) const {
     std::vector<uint32_t> seeds;
-    for (uint32_t point = 0; point < tree_.size(); ++point)
-      if (static_cast<double>(mesh_.roughness_m[point]) <= kSeedRoughness * rule_.tolerance_m &&
-          !mesh_.triangles_at(point).empty())
+    for (uint32_t point = 0; point < tree_.size(); ++point) {
+      const float roughness = mesh_.roughness_m[point];
+      const uint32_t digit = digit_of(roughness);
+      if (digit >= c.first && digit < c.last && smooth(roughness) && is_seed(point))
         seeds.push_back(point);
+    }
     std::stable_sort(seeds.begin(), seeds.end(), [&](uint32_t a, uint32_t b) {
       return mesh_.roughness_m[a] < mesh_.roughness_m[b];
     });
@@ -53,10 +95,10 @@ class TriangleGrower {
   }
 
   void try_seed(uint32_t seed) {
-    ++round_;
     label_ = static_cast<uint32_t>(regions_.planes.size() + 1);
     members_.clear();
     queue_.clear();
+    refused_.clear();
     moments_ = {};
     moments_.reference = tree_.local(seed);
     fitted_ = 0;
@@ -69,16 +111,18 @@ class TriangleGrower {
       if ((at + 1) % kTrianglesPerCheckpoint == 0) task_.checkpoint(progress_);
       ask_beside(queue_[at]);
     }
+    for (const uint32_t t : queue_) asked_[t] = false;
+    for (const uint32_t t : refused_) asked_[t] = false;
     const bool good = members_.size() >= rule_.least_points && fit_plane(moments_, fit) &&
                       fit.sigma <= kRegionRoughness * rule_.tolerance_m;
     if (good) {
       regions_.planes.push_back(fit.plane);
       return;
     }
-    spent_[seed] = 1;
+    spent_[seed] = true;
     for (const uint32_t point : members_) {
       regions_.labels[point] = 0;
-      spent_[point] = 1;  // it would grow the same region again
+      spent_[point] = true;  // it would grow the same region again
     }
   }
 
@@ -105,15 +149,10 @@ class TriangleGrower {
   }
 
   void ask(uint32_t triangle) {
-    if (asked_[triangle] == round_) return;
-    asked_[triangle] = round_;
+    if (asked_[triangle]) return;
+    asked_[triangle] = true;
     const auto& t = mesh_.triangles[triangle];
-    for (const uint32_t corner : t) {
-      const uint32_t owner = regions_.labels[corner];
-      if (owner != 0 && owner != label_) return;
-      if (std::fabs(plane_.distance(tree_.local(corner))) > rule_.tolerance_m) return;
-    }
-    if (!lies_alike(t)) return;
+    if (!may_join(t)) return refused_.push_back(triangle);
     queue_.push_back(triangle);
     for (const uint32_t corner : t) {
       if (regions_.labels[corner] == label_) continue;
@@ -122,6 +161,15 @@ class TriangleGrower {
       moments_.add(tree_.local(corner));
     }
     refit();
+  }
+
+  bool may_join(const TriangleCorners& t) const {
+    for (const uint32_t corner : t) {
+      const uint32_t owner = regions_.labels[corner];
+      if (owner != 0 && owner != label_) return false;
+      if (std::fabs(plane_.distance(tree_.local(corner))) > rule_.tolerance_m) return false;
+    }
+    return lies_alike(t);
   }
 
   // Noise turns a triangle by its share of the height: on real scans the distance must lead.
@@ -146,25 +194,27 @@ class TriangleGrower {
   }
 
   const Octree& tree_;
-  const LocalMesh& mesh_;
+  LocalMesh mesh_;
   const TriangleRule& rule_;
   Task& task_;
   TriangleRegions regions_;
-  std::vector<uint32_t> asked_;  ///< by triangle: the last region that asked
-  std::vector<uint8_t> spent_;   ///< by point: has been a seed, or part of what was no region
-  std::vector<uint32_t> members_, queue_;
+  std::vector<bool> asked_;  ///< by triangle: asked by the region that grows
+  std::vector<bool> spent_;  ///< by point: has been a seed, or part of what was no region
+  /// May hold most of the cloud: no room beside that.
+  std::deque<uint32_t> members_, queue_;
+  std::vector<uint32_t> refused_;
   Moments moments_;
   Plane plane_;
   uint64_t fitted_ = 0;
   double sigma_m_ = 0, progress_ = 0;
-  uint32_t round_ = 0, label_ = 0;
+  uint32_t label_ = 0;
 };
 
 }  // namespace
 
-TriangleRegions grow_triangles(const Octree& tree, const LocalMesh& mesh, const TriangleRule& rule,
+TriangleRegions grow_triangles(const Octree& tree, LocalMesh mesh, const TriangleRule& rule,
                                Task& task) {
-  return TriangleGrower(tree, mesh, rule, task).run();
+  return TriangleGrower(tree, std::move(mesh), rule, task).run();
 }
 
 }  // namespace jalon

@@ -27,7 +27,7 @@ struct TriangleRegions {
 /// stars of the smoothest points; of the triangles beside a region those join whose corners lie in its plane and which
 /// lie as it does; the plane is refitted from running moments. A triangle refused is not asked again by the region.
 /// O(triangles).
-TriangleRegions grow_triangles(const Octree& tree, const LocalMesh& mesh, const TriangleRule& rule,
+TriangleRegions grow_triangles(const Octree& tree, LocalMesh mesh, const TriangleRule& rule,
                                Task& task);
 
 }  // namespace jalon

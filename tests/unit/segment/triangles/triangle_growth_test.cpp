@@ -17,8 +17,9 @@ TEST_CASE("triangle_growth__grows_three_regions_on_the_ramp") {
   const Scene scene = ramp(0.005, 2);
   MadeScene made(scene.points);
   const Octree& tree = *made.scene.tree;
-  const LocalMesh mesh = local_mesh(tree, {.k = 16}, made.task);
-  const TriangleRegions regions = grow_triangles(tree, mesh, {0.025, 0.17, 20}, made.task);
+  LocalMesh mesh = local_mesh(tree, {.k = 16}, made.task);
+  const TriangleRegions regions =
+      grow_triangles(tree, std::move(mesh), {0.025, 0.17, 20}, made.task);
   REQUIRE(regions.planes.size() == 3);
   for (const Plane& plane : regions.planes) CHECK(std::fabs(plane.normal.y) < 0.01);
   CHECK(std::count(regions.labels.begin(), regions.labels.end(), 0u) < 16);
@@ -28,7 +29,8 @@ TEST_CASE("triangle_growth__keeps_no_region_below_the_least") {
   const Scene scene = ramp(0, 2);
   MadeScene made(scene.points);
   const Octree& tree = *made.scene.tree;
-  const LocalMesh mesh = local_mesh(tree, {.k = 16}, made.task);
-  const TriangleRegions regions = grow_triangles(tree, mesh, {0.025, 0.17, 200}, made.task);
+  LocalMesh mesh = local_mesh(tree, {.k = 16}, made.task);
+  const TriangleRegions regions =
+      grow_triangles(tree, std::move(mesh), {0.025, 0.17, 200}, made.task);
   CHECK(regions.planes.size() == 2);  // the ramp has 144 to 176 points
 }
