@@ -68,7 +68,10 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  * - "triangle_growing": one point of each cell of the tolerance, the local Delaunay triangles of these
  *   (Gopi, Krishnan & Silva 2000; kept where the stars of two corners have them and no edge is longer
  *   than search_m), regions grown over the triangles by distance and angle with running moments (the
- *   same comparison); the points left over grow once more. For complicated shapes. O(n log n).
+ *   same comparison); the points left over grow once more. For complicated shapes. O(n log n). With
+ *   "network" = grid the triangles are those between neighbours of a scanner's grid (fields "row" and
+ *   "column"; a grid for each station), which needs no search and no projection; clouds without such
+ *   grids have local ones all the same.
  * - "split_merge": octree cells split until flat, touching cells merged where one plane fits (Wang &
  *   Tseng 2004); the points left over are split again, without those of the planes found. O(n log n).
  * - "hough": points vote for the planes through them in an accumulator of two angles and a distance

@@ -11,6 +11,7 @@
 #include "segment/settle/ending.h"
 #include "segment/settle/found_planes.h"
 #include "segment/triangle_settings.h"
+#include "segment/triangles/grid_mesh.h"
 #include "segment/triangles/local_mesh.h"
 #include "segment/triangles/triangle_growth.h"
 
@@ -29,6 +30,11 @@ constexpr auto kTriangleEnding = plane_ending_rows("triangle_growing");
 
 constexpr auto kTriangleRows = setting_rows(
     nested_rows<&TriangleSettings::surface, kTriangleLeast>(),
+    choice_row<&TriangleSettings::network>(
+        "network", "local|grid", "triangle_growing",
+        "What the triangles are: local Delaunay triangles of the points, or neighbours in the "
+        "scanner's grid, by the fields row and column, which costs less; local where there are no "
+        "such grids."),
     number_row<&TriangleSettings::search_m>(
         "search_m", 0, 100, "m", "triangle_growing",
         "Longest edge of a triangle: how far from a region its next points may lie; 0 = three "
@@ -42,39 +48,86 @@ constexpr auto kTriangleRows = setting_rows(
     nested_rows<&TriangleSettings::surface, kTrianglePixel>(),
     nested_rows<&TriangleSettings::surface, kTriangleEnding>());
 
-// Every point of a cell is its representative's region's, where it lies in the plane.
-void spread_labels(SegmentScene& scene, const Representatives& cells, const GrowingPoints& points,
-                   const TriangleRegions& regions, uint32_t first, Task& task) {
-  std::vector<uint32_t> label_of(scene.size(), 0);
-  for (size_t i = 0; i < points.tree->size(); ++i) label_of[points.position(i)] = regions.labels[i];
-  const double tolerance = scene.settings.distance_tolerance_m;
-  parallel_for(task, cells.points.size(), kTriangleCellsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t c = begin; c < end; ++c) {
-      const size_t from = cells.first[c];
-      const size_t to = c + 1 == cells.first.size() ? scene.size() : cells.first[c + 1];
-      const uint32_t common = pays(cells) ? label_of[cells.points[c]] : 0;
-      for (size_t i = from; i < to; ++i) {
-        if (scene.owner[i] != 0) continue;
-        const uint32_t label = common != 0 ? common : label_of[i];
-        if (label != 0 &&
-            std::fabs(regions.planes[label - 1].distance(scene.local(i))) <= tolerance)
-          scene.owner[i] = first + label - 1;
-      }
+bool takes(const SegmentScene& scene, const Plane& plane, size_t position) {
+  return std::fabs(plane.distance(scene.local(position))) <= scene.settings.distance_tolerance_m;
+}
+
+// Each point of the mesh is its region's, where it lies in the plane.
+void take_members(SegmentScene& scene, const GrowingPoints& points, const TriangleRegions& regions,
+                  uint32_t first, Task& task) {
+  parallel_for(task, regions.labels.size(), kTriangleCellsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const uint32_t label = regions.labels[i], position = points.position(i);
+      if (label != 0 && takes(scene, regions.planes[label - 1], position))
+        scene.owner[position] = first + label - 1;
     }
   });
 }
 
-TriangleRegions regions_of(const GrowingPoints& points, const TriangleSettings& settings,
-                           Task& task) {
-  const LocalMesh mesh = [&] {
+// And so are the other free points of its cell, for which it stands.
+void take_cells(SegmentScene& scene, const Representatives& cells, const GrowingPoints& points,
+                const TriangleRegions& regions, uint32_t first, Task& task) {
+  std::vector<uint32_t> label_of(scene.size(), 0);
+  for (size_t i = 0; i < points.tree->size(); ++i) label_of[points.position(i)] = regions.labels[i];
+  parallel_for(task, cells.points.size(), kTriangleCellsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c) {
+      const size_t from = cells.first[c];
+      const size_t to = c + 1 == cells.first.size() ? scene.size() : cells.first[c + 1];
+      const uint32_t label = label_of[cells.points[c]];
+      for (size_t i = from; i < to; ++i)
+        if (label != 0 && scene.owner[i] == 0 && takes(scene, regions.planes[label - 1], i))
+          scene.owner[i] = first + label - 1;
+    }
+  });
+}
+
+// Regions of a mesh over points of which each stands for so many free ones.
+TriangleRegions regions_of(const Octree& tree, LocalMesh mesh, double points_per_member,
+                           const TriangleSettings& settings, Task& task) {
+  const double least = kLeastRegionShare * settings.surface.min_points / points_per_member;
+  const TriangleRule rule{settings.surface.distance_tolerance_m, settings.angle_rad,
+                          static_cast<uint64_t>(std::max(3.0, least))};
+  return grow_triangles(tree, std::move(mesh), rule, task);
+}
+
+// Normals are what the sharing out of points asks first: while the first triangles stand there are none.
+void look_at_cells_once(SegmentScene& scene, Task& task) {
+  if (scene.normals.empty()) look_at_cells(scene, task);
+}
+
+uint32_t own_by_local_triangles(SegmentScene& scene, const TriangleSettings& settings,
+                                uint32_t first, Task& task) {
+  Representatives cells = one_per_cell(scene, task);
+  if (cells.free < 3) return 0;
+  const GrowingPoints points = thinned_points(scene, cells, task);
+  const bool thin = pays(cells);
+  if (!thin) cells = {};
+  LocalMesh mesh = [&] {
     ProgressSpan span(task, 0, 0.7, "triangulating");
     return local_mesh(*points.tree, {.k = settings.k, .search_m = settings.search_m}, task);
   }();
   ProgressSpan span(task, 0.7, 1, "growing over triangles");
-  const double least = kLeastRegionShare * settings.surface.min_points / points.points_per_member;
-  const TriangleRule rule{settings.surface.distance_tolerance_m, settings.angle_rad,
-                          static_cast<uint64_t>(std::max(3.0, least))};
-  return grow_triangles(*points.tree, mesh, rule, task);
+  const TriangleRegions regions =
+      regions_of(*points.tree, std::move(mesh), points.points_per_member, settings, task);
+  look_at_cells_once(scene, task);
+  if (thin) take_cells(scene, cells, points, regions, first, task);
+  else take_members(scene, points, regions, first, task);
+  return static_cast<uint32_t>(regions.planes.size());
+}
+
+uint32_t own_by_grid_triangles(SegmentScene& scene, const TriangleSettings& settings,
+                               uint32_t first, Task& task) {
+  const GrowingPoints points{.tree = scene.tree};
+  LocalMesh mesh = [&] {
+    ProgressSpan span(task, 0, 0.7, "triangulating");
+    const auto grids = scan_grids(scene.cloud, *scene.tree, scene.owner, task);
+    return grid_mesh(*scene.tree, grids, {.k = settings.k, .search_m = settings.search_m}, task);
+  }();
+  ProgressSpan span(task, 0.7, 1, "growing over triangles");
+  const TriangleRegions regions = regions_of(*scene.tree, std::move(mesh), 1, settings, task);
+  look_at_cells_once(scene, task);
+  take_members(scene, points, regions, first, task);
+  return static_cast<uint32_t>(regions.planes.size());
 }
 
 }  // namespace
@@ -83,6 +136,7 @@ std::span<const ParamRow> triangle_growing_rows() { return kTriangleRows; }
 
 // Surface growing on a network of triangles:
 // 1. one point of each cell of the tolerance, since noise turns smaller triangles anyhow; 2. local Delaunay triangles;
+// or, in their place, the triangles that a scanner's grid has between neighbours;
 // 3. regions grown over them; 4. their cells' points taken, coplanar pieces
 // joined, points shared out; 5. the same among the points left over; 6. last fit.
 Segmentation segment_triangle_growing(const CloudPtr& cloud, const TriangleSettings& settings,
@@ -90,17 +144,17 @@ Segmentation segment_triangle_growing(const CloudPtr& cloud, const TriangleSetti
   require_area(*cloud, task);
   SegmentScene scene = [&] {
     ProgressSpan span(task, 0, 0.2, "indexing");
-    return scene_with_cells(*cloud, settings.surface, task);
+    return indexed_scene(*cloud, settings.surface, task);
   }();
+  scene.normals = {};  // anew when the first triangles are gone, which are the peak of memory
+  scene.spacing = {};
+  scene.rejections = {};  // of draws, which there are none of
+  const bool by_grid = settings.network == TriangleNetwork::kGrid && is_organised(*cloud, task);
   std::vector<Surface> surfaces = [&] {
     ProgressSpan span(task, 0.2, 0.85, "triangulating");
     return surfaces_in_rounds(scene, kTriangleRounds, task, [&](uint32_t first) {
-      const Representatives cells = one_per_cell(scene, task);
-      if (cells.free < 3) return uint32_t{0};
-      const GrowingPoints points = thinned_points(scene, cells, task);
-      const TriangleRegions regions = regions_of(points, settings, task);
-      spread_labels(scene, cells, points, regions, first, task);
-      return static_cast<uint32_t>(regions.planes.size());
+      return by_grid ? own_by_grid_triangles(scene, settings, first, task)
+                     : own_by_local_triangles(scene, settings, first, task);
     });
   }();
   ProgressSpan span(task, 0.85, 1, "last fit");

@@ -32,7 +32,7 @@ constexpr const char* kProfiles =
     "{\"axes\": \"direction\", \"direction\": [0, 1, 0], \"step_m\": 0.2, \"thickness_m\": 0.1, "
     "\"gap_m\": 0.3, \"line_tolerance_m\": 0.01, \"angle_rad\": 0.2}";
 constexpr const char* kTriangles =
-    "{\"search_m\": 0.2, \"angle_rad\": 0.3, \"k\": 12, \"pixel_m\": 0.1}";
+    "{\"network\": \"grid\", \"search_m\": 0.2, \"angle_rad\": 0.3, \"k\": 12, \"pixel_m\": 0.1}";
 constexpr const char* kSplit = "{\"angle_rad\": 0.3, \"least_cell_m\": 0.1}";
 constexpr const char* kHough =
     "{\"angle_step_rad\": 0.1, \"distance_step_m\": 0.1, \"votes\": \"all\", \"voters\": 5000}";

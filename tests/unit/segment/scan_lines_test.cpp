@@ -15,24 +15,6 @@
 using namespace jalon;
 using namespace jalon::test;
 
-namespace {
-
-// A cloud of points as one row after the other of `length` points.
-CloudPtr in_rows(const std::vector<Vec3>& points, size_t length, const Vec3& shift = {}) {
-  auto cloud = std::make_shared<Cloud>(*cloud_of(points, shift));
-  for (const char* name : {"row", "column"}) {
-    auto column =
-        std::make_shared<Column>(FieldInfo{name, ElementType::kUint32, 1, "", ""}, points.size());
-    for (size_t i = 0; i < points.size(); ++i)
-      column->values<uint32_t>()[i] =
-          static_cast<uint32_t>(std::string(name) == "row" ? i / length : i % length);
-    cloud->fields.set(column);
-  }
-  return cloud;
-}
-
-}  // namespace
-
 TEST_CASE("scan_lines__find_the_faces_of_a_house_by_fields_and_by_angles") {
   const Scanned scanned(scanned_house(), 0.005, 0.003, 7);
   for (const bool fields : {true, false}) {

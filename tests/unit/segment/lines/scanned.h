@@ -2,13 +2,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "unit/segment/scenes.h"
 
 namespace jalon::test {
+
+/// A cloud with the fields row and column.
+inline CloudPtr with_places(const std::vector<Vec3>& points, const std::vector<uint32_t>& rows,
+                            const std::vector<uint32_t>& columns, const Vec3& shift = {}) {
+  auto cloud = std::make_shared<Cloud>(*cloud_of(points, shift));
+  for (const auto& [name, values] : {std::pair{"row", &rows}, {"column", &columns}}) {
+    auto column =
+        std::make_shared<Column>(FieldInfo{name, ElementType::kUint32, 1, "", ""}, values->size());
+    std::copy(values->begin(), values->end(), column->values<uint32_t>().begin());
+    cloud->fields.set(column);
+  }
+  return cloud;
+}
+
+/// The same of points as one row after the other of `length` points.
+inline CloudPtr in_rows(const std::vector<Vec3>& points, size_t length, const Vec3& shift = {}) {
+  std::vector<uint32_t> rows, columns;
+  for (size_t i = 0; i < points.size(); ++i) {
+    rows.push_back(static_cast<uint32_t>(i / length));
+    columns.push_back(static_cast<uint32_t>(i % length));
+  }
+  return with_places(points, rows, columns, shift);
+}
 
 struct ScannedFace {
   Vec3 corner, u, v;  ///< at right angles
@@ -33,25 +58,15 @@ struct Scanned {
 
   /// With the fields row and column, or with the station alone.
   CloudPtr cloud(bool fields, const Vec3& shift = {}) const {
+    if (fields) return with_places(scene.points, rows, columns, shift);
     auto cloud = std::make_shared<Cloud>(*cloud_of(scene.points, shift));
-    if (!fields) {
-      Station station;
-      station.has_pose = true;
-      station.pose.m[3] = shift.x;
-      station.pose.m[7] = shift.y;
-      station.pose.m[11] = shift.z;
-      station.count = scene.points.size();
-      cloud->stations.push_back(station);
-      return cloud;
-    }
-    const auto add = [&](const char* name, const std::vector<uint32_t>& values) {
-      auto column =
-          std::make_shared<Column>(FieldInfo{name, ElementType::kUint32, 1, "", ""}, values.size());
-      std::copy(values.begin(), values.end(), column->values<uint32_t>().begin());
-      cloud->fields.set(column);
-    };
-    add("row", rows);
-    add("column", columns);
+    Station station;
+    station.has_pose = true;
+    station.pose.m[3] = shift.x;
+    station.pose.m[7] = shift.y;
+    station.pose.m[11] = shift.z;
+    station.count = scene.points.size();
+    cloud->stations.push_back(station);
     return cloud;
   }
 
