@@ -15,6 +15,8 @@ namespace {
 
 constexpr int kBoxAngles = 45;  // every 2 degrees of a quarter turn: ICP does the rest
 constexpr size_t kBoxSample = 4000;
+// What fell over is as large as it was and has another height: without that it is no more than turned about up.
+constexpr double kSameHeight = 1.15, kSameExtent = 1.3;
 
 struct Range {
   double low = std::numeric_limits<double>::infinity(),
@@ -59,6 +61,34 @@ void add_standing(const MatchSurface& before, const MatchSurface& after, const V
     out.push_back(frame_to_frame(from, axes_a, to, axes_b));
   }
   out.push_back(shift_by(to - from));
+}
+
+bool are_like(double a, double b, double ratio) { return std::max(a, b) <= ratio * std::min(a, b); }
+
+// Does the box have the extents of another one whose axes take the places of order?
+bool fits(const StandingBox& a, const StandingBox& b, const int (&order)[3]) {
+  for (int k = 0; k < 3; ++k)
+    if (!are_like(a.half[k], b.half[order[k]], kSameExtent)) return false;
+  return true;
+}
+
+// Quarter turns off the support that lay one box on the other: a cabinet that lies on its side.
+void add_fallen(const MatchSurface& before, const MatchSurface& after, const Vec3& up,
+                std::vector<Transform>& out) {
+  const StandingBox a = standing_box(before.sample(kBoxSample), up),
+                    b = standing_box(after.sample(kBoxSample), up);
+  if (are_like(a.half[2], b.half[2], kSameHeight)) return;
+  const Vec3 axes_a[3] = {a.along, a.across, a.up}, of_b[3] = {b.along, b.across, b.up};
+  constexpr int kOffUp[4][3] = {{0, 2, 1}, {2, 1, 0}, {1, 2, 0}, {2, 0, 1}};
+  for (const auto& order : kOffUp) {
+    if (!fits(a, b, order)) continue;
+    for (int flip = 0; flip < 4; ++flip) {
+      const Vec3 first = of_b[order[0]] * (flip & 1 ? -1.0 : 1.0),
+                 second = of_b[order[1]] * (flip & 2 ? -1.0 : 1.0);
+      const Vec3 axes_b[3] = {first, second, cross(first, second)};
+      out.push_back(frame_to_frame(a.centre, axes_a, b.centre, axes_b));
+    }
+  }
 }
 
 void add_axes(const MatchSurface& before, const MatchSurface& after, std::vector<Transform>& out) {
@@ -113,8 +143,12 @@ StandingBox standing_box(const std::vector<Vec3>& points, const Vec3& up) {
 std::vector<Transform> match_starts(const MatchSurface& before, const MatchSurface& after,
                                     const MatchSetting& setting) {
   std::vector<Transform> out{Transform{}, shift_by(after.centroid() - before.centroid())};
-  if (setting.stands) add_standing(before, after, setting.up, out);
-  else add_axes(before, after, out);
+  if (!setting.stands) {
+    add_axes(before, after, out);
+    return out;
+  }
+  add_standing(before, after, setting.up, out);
+  add_fallen(before, after, setting.up, out);
   return out;
 }
 

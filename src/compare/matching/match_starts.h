@@ -18,7 +18,8 @@ struct StandingBox {
 StandingBox standing_box(const std::vector<Vec3>& points, const Vec3& up);
 
 /// First guesses T_after_before: none; shifts of the centroid and the box; for what stands, the turns about up that lay
-/// one box on the other; else those that lay the principal axes on each other.
+/// one box on the other, and where only their heights differ the quarter turns of what fell over; else those that lay
+/// the principal axes on each other.
 std::vector<Transform> match_starts(const MatchSurface& before, const MatchSurface& after,
                                     const MatchSetting& setting);
 

@@ -15,7 +15,7 @@ using SeenTest = std::function<bool(const Vec3&)>;
 
 struct MatchSetting {
   double tolerance_m = 0.02;  ///< farther from the other surface than this is not the same surface
-  bool stands = false;        ///< on a support: only turns about its normal are tried first
+  bool stands = false;        ///< on a support: turns about its normal are tried first, and falls
   Vec3 up{0, 0, 1};
   SeenTest seen_before, seen_after;  ///< by the stations of either epoch
   /// Share of the points that must have been in sight of the other scanners for anything to be explained.

@@ -109,3 +109,19 @@ TEST_CASE("match_starts__hold_any_turn_of_what_has_three_axes") {
     }
   }
 }
+
+TEST_CASE("match_starts__hold_the_fall_of_what_stood_onto_any_of_its_sides") {
+  Task task;
+  const auto points = points_of_box({0.5, 0.35, 1.1}, 300, 3);
+  const MatchSurface before(points, task);
+  MatchSetting setting;
+  setting.stands = true;
+  for (const Vec3& axis : {Vec3{0, 1, 0}, Vec3{0, -1, 0}, Vec3{1, 0, 0}, Vec3{-1, 0, 0}}) {
+    // Over, and then turned about up.
+    const Transform fall = motion_about({}, axis * (90 * kDegree), {0.4, -0.2, 0}),
+                    turn = motion_about({}, Vec3{0, 0, 1} * (40 * kDegree), {});
+    const Transform truth = turn * fall;
+    const MatchSurface after(moved(points, truth), task);
+    CHECK(left_by_best(match_starts(before, after, setting), truth, points) < 1e-6);
+  }
+}
