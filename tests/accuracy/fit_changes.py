@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: Apache-2.0
 r"""Fits the weights of src/compare/changes/confidence_weights.h and prints that file; needs numpy.
 
-    JALON_FULL=1 JALON_CHANGE_SEEDS=1-10 JALON_CHANGE_ROWS=rows.txt \
+    JALON_FULL=1 JALON_CHANGE_SEEDS=1-12 JALON_CHANGE_KIND=-street JALON_CHANGE_ROWS=rows.txt \
         build/release/tests/accuracy/accuracy -tc='change_confidence__of_developed_kinds'
-    python3 tests/accuracy/fit_changes.py rows.txt > src/compare/changes/confidence_weights.h
+    JALON_FULL=1 JALON_CHANGE_SEEDS=1-6 JALON_CHANGE_KIND=street JALON_CHANGE_ROWS=rows.txt \
+        build/release/tests/accuracy/accuracy -tc='change_confidence__of_developed_kinds'
+    OMP_NUM_THREADS=1 python3 tests/accuracy/fit_changes.py rows.txt > src/compare/changes/confidence_weights.h
 
 A row, of one statement: the seed, what it says (0 came, 1 went, 2 moved, 3 gave way), whether it is right, the features,
 and behind # the kind of scene, threshold, stations, confidence, whether it is about what changed, and right by class.

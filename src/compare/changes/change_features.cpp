@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "compare/changes/beside_change.h"
 #include "compare/changes/change_pieces.h"
 #include "compare/changes/motion_features.h"
 #include "compare/changes/object_motion.h"
@@ -15,12 +16,11 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kFamilyMoved = 1;  // see family_of
-constexpr double kLowShare = 0.1;   // of the distances: the lower decile
-constexpr size_t kBesideSample =
-    200;  // points of a change that are asked for what lies beside them
-constexpr uint32_t kBesideNeighbours = 24;
-constexpr double kLikeReach = 3;  // sizes of the larger of two things that may be one
+constexpr size_t kFamilyMoved = 1;      // see family_of
+constexpr double kLowShare = 0.1;       // of the distances: the lower decile
+constexpr double kNearBorder = 2;       // thresholds or spacings
+constexpr size_t kExtentSample = 2000;  // points of an epoch whose extents are told
+constexpr double kLikeReach = 3;        // sizes of the larger of two things that may be one
 constexpr double kRightBeside = 0.25;
 /// Sums over the changed points of a statement, in both epochs.
 struct ChangedSums {
@@ -42,30 +42,6 @@ void add_side(const Epoch& epoch, const std::vector<uint32_t>& points, ChangedSu
     sums.through += evidence[i] == static_cast<uint8_t>(ChangeEvidence::kSeenThrough) ? 1 : 0;
     sums.moved += evidence[i] == static_cast<uint8_t>(ChangeEvidence::kMovedSurface) ? 1 : 0;
     if (std::isfinite(distance[i])) sums.distances.push_back(std::abs(distance[i]));
-  }
-}
-
-/// Of the neighbours of changed points that belong to no region: which were hidden, which did not change.
-struct Beside {
-  size_t asked = 0, hidden = 0, same = 0;
-};
-
-void add_beside(const Epoch& epoch, const std::vector<uint32_t>& points, Task& task, Beside& out) {
-  if (points.empty()) return;
-  const auto tree = epoch.cloud().octree(task);
-  const auto statuses = epoch.statuses();
-  std::array<Neighbour, kBesideNeighbours> found;
-  for (size_t k = 0; k < points.size(); k += points.size() / kBesideSample + 1) {
-    if (epoch.regions.labels[points[k]] == 0) continue;
-    const size_t n = tree->knn(epoch.cloud().point(points[k]), kBesideNeighbours, found);
-    for (size_t j = 0; j < n; ++j) {
-      const uint32_t i = found[j].index;
-      ++out.asked;
-      if (epoch.regions.labels[i] != 0) continue;
-      const bool is_hidden = statuses[i] == static_cast<uint8_t>(CompareStatus::kHidden);
-      out.hidden += is_hidden ? 1 : 0;
-      out.same += is_hidden ? 0 : 1;
-    }
   }
 }
 
@@ -96,6 +72,29 @@ Box3 changed_box(const ObjectMotionJob& job, const ChangedObject& object) {
   return out;
 }
 
+// Of the changed points, least first; of one thing upright and fallen over they are the same.
+Extents changed_extents(const ObjectMotionJob& job, const ChangedObject& object) {
+  std::vector<Vec3> points;
+  const auto add = [&](const Epoch& epoch, const std::vector<uint32_t>& all) {
+    for (size_t k = 0; k < all.size(); k += all.size() / kExtentSample + 1)
+      if (epoch.regions.labels[all[k]] != 0) points.push_back(epoch.local(all[k]));
+  };
+  add(job.before, object.before);
+  add(job.after, object.after);
+  Extents out{};
+  if (!points.empty()) out = extents_of(points, object);
+  // What is thinner than its points lie apart is as thick as that.
+  for (double& extent : out) extent = std::max(extent, job.cell_m / 2);
+  return out;
+}
+
+double like_shape(const Extents& a, const Extents& b) {
+  double least = 1;
+  for (size_t k = 0; k < a.size(); ++k)
+    least = std::min(least, std::min(a[k], b[k]) / std::max(a[k], b[k]));
+  return least;
+}
+
 // Does it hold most of the change's labels?
 bool may_explain(const Change& motion, const Change& change) {
   const auto common = [](const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
@@ -113,9 +112,6 @@ void set_own_features(const ObjectMotionJob& job, Change& change) {
   ChangedSums sums;
   add_side(job.before, change.object.before, sums);
   add_side(job.after, change.object.after, sums);
-  Beside beside;
-  add_beside(job.before, change.object.before, job.task, beside);
-  add_beside(job.after, change.object.after, job.task, beside);
   // The after cloud's points were looked for by the stations of before, and the other way round.
   const bool asks_before = !change.object.after.empty(), asks_after = !change.object.before.empty();
   const bool is_blind = (asks_before && !(number_of(*job.after.comparison, "stations") > 0)) ||
@@ -137,6 +133,10 @@ void set_own_features(const ObjectMotionJob& job, Change& change) {
                              : 0;
   f[kFeatureMovedSurface] = share(sums.moved, sums.points);
   if (family_of(change) == kFamilyMoved) return set_motion_features(job, change, f);
+  Beside beside;
+  const double near_m = kNearBorder * std::max(job.threshold_m, spacing);
+  add_beside(job.before, job.after, change.object.before, near_m, job.task, beside);
+  add_beside(job.after, job.before, change.object.after, near_m, job.task, beside);
   f[kFeaturePoints] = limited_log(static_cast<double>(sums.points) / 64);
   f[kFeatureThrough] = is_blind ? 0 : through;
   f[kFeatureNothingNear] = is_blind ? through : 0;
@@ -149,6 +149,7 @@ void set_own_features(const ObjectMotionJob& job, Change& change) {
       axes.values[2] > 0 ? std::sqrt(std::max(0.0, axes.values[1] / axes.values[2])) : 0;
   f[kFeatureBesideHidden] = share(beside.hidden, beside.asked);
   f[kFeatureBesideSame] = share(beside.same, beside.asked);
+  f[kFeatureBorderAlong] = beside.border_along();
   f[kFeatureSpread] = distance > 0 ? limited_log(low / distance) : 0;
 }
 
@@ -188,12 +189,14 @@ size_t family_of(const Change& change) {
 void set_features(const ObjectMotionJob& job, const std::vector<Change>& others,
                   std::vector<Change>& changes) {
   std::vector<Box3> boxes(changes.size());
+  std::vector<Extents> extents(changes.size());
   parallel_for(job.task, changes.size(), 1, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       Change& change = changes[k];
       boxes[k] = changed_box(job, change.object);
       if (family_of(change) == kFamilyMoved) continue;
       set_own_features(job, change);
+      extents[k] = changed_extents(job, change.object);
       for (const Change& other : others)
         if (other.confidence > change.features[kFeatureMayHaveMoved] && may_explain(other, change))
           change.features[kFeatureMayHaveMoved] = other.confidence;
@@ -201,7 +204,7 @@ void set_features(const ObjectMotionJob& job, const std::vector<Change>& others,
   });
   for (size_t a = 0; a < changes.size(); ++a) {
     if (family_of(changes[a]) == kFamilyMoved) continue;
-    double like = 0, near = 0;
+    double like = 0, near = 0, like_in_shape = 0;
     for (size_t b = 0; b < changes.size(); ++b) {
       if (a == b || boxes[a].empty() || boxes[b].empty()) continue;
       const double size =
@@ -212,10 +215,14 @@ void set_features(const ObjectMotionJob& job, const std::vector<Change>& others,
           has_come(job, changes[a]) == has_come(job, changes[b]))
         continue;
       const double p = area_of(job, changes[a]), q = area_of(job, changes[b]);
-      if (std::max(p, q) > 0) like = std::max(like, std::min(p, q) / std::max(p, q));
+      if (!(std::max(p, q) > 0)) continue;
+      const double by_area = std::min(p, q) / std::max(p, q);
+      like = std::max(like, by_area);
+      like_in_shape = std::max(like_in_shape, by_area * like_shape(extents[a], extents[b]));
     }
     changes[a].features[kFeatureLike] = like;
     changes[a].features[kFeatureNear] = near;
+    changes[a].features[kFeatureLikeShape] = like_in_shape;
   }
 }
 

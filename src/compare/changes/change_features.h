@@ -51,6 +51,9 @@ enum ChangeFeature : size_t {
   kFeatureTilt,        ///< of the motion's way, what turns the thing off that which it stands on
   kFeatureTiltOfSize,  ///< that way in sizes of the thing: what leans gave way, what fell over moved
   kFeatureSpread,      ///< lower decile over median distance: what gave way does so from nothing
+  kFeatureLikeShape,  ///< of what kFeatureLike is of: how like in extents as well, whichever side is up
+  kFeatureBorderAlong,  ///< at its borders, how far the changed surface leaves the other epoch's along it: what gave
+                        ///< way does, what stands on something does not
   kChangeFeatures
 };
 using ChangeFeatures = std::array<double, kChangeFeatures>;
