@@ -29,6 +29,8 @@ constexpr double kCornice_m = 0.6;   // strips of a wall stand no farther before
 constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
 constexpr size_t kLookedAtCells = 20000;
 constexpr double kFilledShare = 0.5;
+constexpr double kEnclosedShare =
+    0.95;  // of an opening's border, as that of an empty one (find_openings.cpp)
 // Of an opening's cells: at a slant past a bay window little more is seen.
 constexpr double kGlimpsedShare = 0.2;
 constexpr double kHidingShare = 0.2;  // sills and piers of a bay window, of what lies behind it
@@ -75,12 +77,20 @@ double share_of(size_t part, size_t all) {
   return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0;
 }
 
+// A surround encloses an opening as the broad wall does, beside a narrow pier too.
+bool is_enclosed(const OpeningCandidate& opening) {
+  return opening.framed >= kFramedShare ||
+         (opening.bordered >= kEnclosedShare && opening.relief >= kReliefShare);
+}
+
 // Whether a place before a plane lies in an opening of the wall. Walls have windows; gates and shutters, which may be
 // as large, have none: a plane with openings of its own fills framed openings only, any other fills what it lies in.
+// A cell with a point of the wall ends an opening: frames stand in its rim.
 bool is_in_opening(const WallEvidence& wall, const Vec2& at, bool only_framed) {
+  const double rim_m = wall.cells.cell_m;
   return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
-    return opening.is_opening && (!only_framed || opening.framed >= kFramedShare) &&
-           opening.shape.holds(at);
+    return opening.is_opening && (!only_framed || is_enclosed(opening)) &&
+           opening.shape.box().grown(rim_m).holds(at) && opening.shape.grown(rim_m).holds(at);
   });
 }
 
@@ -296,8 +306,7 @@ bool is_hidden_by(const WallCells& cells, const OpeningShape& shape, const WallC
 // Two explanations of a hole: an opening, or another wall's place. One that nothing frames is filled by a wall behind
 // it; one that hardly anything was seen through lies behind a bay window, however well its border is seen.
 bool ends_at(const WallEvidence& wall, const OpeningCandidate& opening, const WallEvidence& other) {
-  if (opening.framed < kFramedShare &&
-      filled_share(wall.cells, opening.shape, other.cells) >= kFilledShare)
+  if (!is_enclosed(opening) && filled_share(wall.cells, opening.shape, other.cells) >= kFilledShare)
     return true;
   return opening.inside.share(WallState::kThrough) < kGlimpsedShare &&
          is_hidden_by(wall.cells, opening.shape, other.cells);

@@ -137,3 +137,18 @@ TEST_CASE("tell_roles__timbers_that_frame_panels_are_relief_of_the_wall_with_the
   CHECK(lattice[0].role == PlaneRole::kFilling);
   CHECK(lattice[1].role == PlaneRole::kWall);
 }
+
+TEST_CASE("tell_roles__frames_in_the_rims_of_windows_fill_them") {
+  // 10 cm wide, 12 cm behind the wall, about lights of glass that returned nothing.
+  constexpr double kBar_m = 0.1, kLight_m = 0.45, kLightHeight_m = 0.65;
+  std::vector<Vec3> frames;
+  for (const double window : {1.0, 3.5}) {
+    add_layer(frames, window, 1, 1.2, 1.6, 0.12);
+    for (const double left : {kBar_m, 2 * kBar_m + kLight_m})
+      for (const double foot : {kBar_m, 2 * kBar_m + kLightHeight_m})
+        cut(frames, window + left, 1 + foot, kLight_m, kLightHeight_m);
+  }
+  const auto evidence = evidence_of({house(0, 0), frames});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kFilling);
+}
