@@ -26,7 +26,9 @@ constexpr double kPierShare = 0.8, kThinWallShare = 0.55;
 // wall itself is in one piece: a room's, seen through windows, is all islands.
 constexpr double kIsland_m2 = 0.5, kSeenAbout = 0.5, kMainShare = 0.5;
 
-constexpr double kPilaster_m = 2;   // parapets are no taller than 1.3 m
+constexpr double kPilaster_m = 2;  // parapets are no taller than 1.3 m
+constexpr double kBar_m =
+    0.3;  // of railings, with what neighbouring cells have of them: a sign is broader
 constexpr double kFootReach_m = 4;  // half a wide gateway, a van's length
 
 WallState state_of(uint8_t marks) {
@@ -35,8 +37,9 @@ WallState state_of(uint8_t marks) {
   if ((marks & kMarkFlush) != 0) return WallState::kStrip;
   if ((marks & kMarkRelief) != 0) return WallState::kRelief;
   if ((marks & kMarkProud) != 0) return WallState::kProud;
-  if ((marks & kMarkDeep) != 0) return WallState::kDeep;
-  return (marks & kMarkBefore) != 0 ? WallState::kHidden : WallState::kEmpty;
+  // What is deep behind something that stands before the wall was seen past it, through an opening beside.
+  if ((marks & kMarkBefore) != 0) return WallState::kHidden;
+  return (marks & kMarkDeep) != 0 ? WallState::kDeep : WallState::kEmpty;
 }
 
 // Marks what lies in a square of `width` cells of which the share are on the plane.
@@ -81,6 +84,47 @@ void tell_pilasters(std::span<const uint8_t> marks, WallCells& cells, Task& task
     if (rows * cells.cell_m < kPilaster_m) continue;
     for (const uint32_t k : region) cells.states[k] = WallState::kRelief;
   }
+}
+
+// A line of cells through one: what ends a run of proud cells on both sides, within a bar's width.
+struct RunEnds {
+  WallState first = WallState::kProud, last = WallState::kProud;
+
+  RunEnds(const WallCells& cells, uint32_t c, uint32_t r, bool is_level) {
+    const auto reach = std::max(uint32_t{1}, static_cast<uint32_t>(kBar_m / cells.cell_m));
+    const auto end = [&](bool is_up) {
+      for (uint32_t k = 1; k <= reach; ++k) {
+        const uint32_t x = is_level ? (is_up ? c + k : c - k) : c,
+                       y = is_level ? r : (is_up ? r + k : r - k);
+        if (x >= cells.columns || y >= cells.rows) break;  // below 0 too
+        if (cells.at(x, y) != WallState::kProud) return cells.at(x, y);
+      }
+      return WallState::kProud;
+    };
+    first = end(false);
+    last = end(true);
+  }
+  // Bars end at gaps, the last one at a jamb; rails have gaps above and below, sills only above.
+  bool is_bar() const {
+    return (is_gap(first) && last != WallState::kProud) ||
+           (is_gap(last) && first != WallState::kProud);
+  }
+  bool is_rail() const { return is_gap(first) && is_gap(last); }
+  static bool is_gap(WallState state) {
+    return state == WallState::kEmpty || state == WallState::kThrough || state == WallState::kDeep;
+  }
+};
+
+// Step 1, railings.
+void tell_railings(WallCells& cells, Task& task) {
+  task.checkpoint(0);
+  std::vector<uint32_t> bars;
+  for (uint32_t r = 0; r < cells.rows; ++r)
+    for (uint32_t c = 0; c < cells.columns; ++c)
+      if (cells.at(c, r) == WallState::kProud &&
+          (RunEnds(cells, c, r, true).is_bar() || RunEnds(cells, c, r, false).is_rail()))
+        bars.push_back(r * cells.columns + c);
+  for (const uint32_t k : bars) cells.states[k] = WallState::kHidden;
 }
 
 // Step 2.
@@ -190,6 +234,7 @@ void classify_cells(std::span<const uint8_t> marks, WallCells& out, Task& task) 
   for (size_t k = 0; k < marks.size(); ++k) out.states[k] = state_of(marks[k]);
   if (marks.empty()) return;
   tell_pilasters(marks, out, task);
+  tell_railings(out, task);
   tell_strips(out, task);
   tell_islands(out, task);
   tell_outside(out);

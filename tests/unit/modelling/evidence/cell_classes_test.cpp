@@ -51,21 +51,23 @@ TEST_CASE("classify_cells__takes_the_strongest_mark_of_a_cell_for_all_sets_of_ma
   MarkedWall wall(60, 60, 0.05);
   constexpr uint8_t kAll = 127;
   wall.with({0, 50, 60, 60}, kAll);
-  for (uint32_t set = 0; set <= kAll; ++set)  // even: not on the plane
-    wall.marks[(20 + set / 2 / 20) * size_t{60} + 20 + set / 2 % 20] =
-        static_cast<uint8_t>(set & ~uint32_t{kMarkOn});
+  // Each by itself in the wall; even: not on the plane.
+  const auto column = [](uint32_t set) { return 10 + set / 2 % 20 * 2; };
+  const auto row = [](uint32_t set) { return 10 + set / 2 / 20 * 2; };
+  for (uint32_t set = 0; set <= kAll; set += 2)
+    wall.marks[row(set) * size_t{60} + column(set)] = static_cast<uint8_t>(set);
   const WallCells cells = wall.cells();
   CHECK(is_all(cells, {0, 50, 60, 60}, WallState::kOn));
   constexpr std::pair<uint8_t, WallState> kOrder[] = {
       {kMarkBehind, WallState::kThrough}, {kMarkFlush, WallState::kStrip},
       {kMarkRelief, WallState::kRelief},  {kMarkProud, WallState::kProud},
-      {kMarkDeep, WallState::kDeep},      {kMarkBefore, WallState::kHidden},
+      {kMarkBefore, WallState::kHidden},  {kMarkDeep, WallState::kDeep},
       {0xff, WallState::kEmpty}};
   for (uint32_t set = 0; set <= kAll; set += 2) {
     const auto first = std::find_if(std::begin(kOrder), std::end(kOrder) - 1,
-                                    [&](const auto& row) { return (set & row.first) != 0; });
+                                    [&](const auto& mark) { return (set & mark.first) != 0; });
     CAPTURE(set);
-    CHECK(cells.at(20 + set / 2 % 20, 20 + set / 2 / 20) == first->second);
+    CHECK(cells.at(column(set), row(set)) == first->second);
   }
 }
 
@@ -91,6 +93,22 @@ TEST_CASE("classify_cells__pilasters_are_relief_and_parapets_and_pipes_stand_pro
   CHECK(is_all(proud(26, kParallel), {39, 10, 46, 36}, WallState::kProud));   // 1.3 m
   CHECK(is_all(proud(60, kMarkProud), {39, 10, 46, 70}, WallState::kProud));
   CHECK(is_all(proud(60, kParallel | kMarkBehind), {39, 10, 46, 70}, WallState::kThrough));
+}
+
+TEST_CASE("classify_cells__bars_of_a_railing_hide_a_window_and_signs_and_sills_stand_proud") {
+  const CellBox window{20, 20, 44, 60}, sill{18, 18, 46, 20}, sign{50, 30, 70, 50};
+  MarkedWall wall(80, 80, 0.05);
+  wall.with(window, kMarkBehind).with(sill, kMarkProud).with(sign, kMarkProud);
+  for (uint32_t c = window.c0; c < window.c1; c += 4) {
+    wall.with({c, 20, c + 2, 40}, kMarkProud);
+    wall.with({c + 2, 20, c + 4, 40}, 0);
+  }
+  const WallCells cells = wall.cells();
+  const CellBox bars{20, 20, 44, 40};
+  CHECK(count_in(cells, bars, WallState::kHidden) == 24 * 20 / 2);
+  CHECK(count_in(cells, bars, WallState::kEmpty) == 24 * 20 / 2);
+  CHECK(is_all(cells, sill, WallState::kProud));
+  CHECK(is_all(cells, sign, WallState::kProud));
 }
 
 TEST_CASE("classify_cells__at_coarse_spacing_two_cells_are_a_pier_and_one_is_none") {
