@@ -8,6 +8,7 @@
 #include "modelling/evidence/box_search.h"
 #include "modelling/evidence/cell_regions.h"
 #include "modelling/evidence/joined_lights.h"
+#include "modelling/evidence/piers.h"
 #include "modelling/evidence/shape_cells.h"
 #include "modelling/evidence/shape_fit.h"
 #include "modelling/evidence/shape_trim.h"
@@ -95,7 +96,7 @@ class BoxSearch {
       waiting.pop_back();
       whole = std::min(whole, waiting.size());
       if (static_cast<double>(region.size()) < narrow_.cells) continue;
-      const CellBox box = best_in(region);
+      const CellBox box = whole_beside_piers(best_in(region));
       if (!broad_.holds(box) && (is_rest || !narrow_.holds(box) || seen_share(box) < kSeenOfNarrow))
         continue;
       out.push_back(box);
@@ -116,6 +117,13 @@ class BoxSearch {
              static_cast<double>(box.width()) * box.height() >= cells;
     }
   };
+
+  CellBox whole_beside_piers(CellBox box) const {
+    for (CellBox part = beside_pier(cells_, box); part.width() < box.width();
+         part = beside_pier(cells_, box))
+      box = part;
+    return box;
+  }
 
   double seen_share(const CellBox& box) const {
     size_t seen = 0;

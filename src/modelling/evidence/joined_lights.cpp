@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kBorderCells =
     0.9;  // both borders together: shapes end where a cell has a point of the wall
-constexpr double kMullionShare = 0.3, kMostLight_m = 1.3;  // of the narrower light, and its size
-constexpr double kSameCells = 2, kSameShare = 0.08;        // feet and heads: of the lights' height
+constexpr double kMullionShare = 0.3;                // of the narrower light
+constexpr double kSameCells = 2, kSameShare = 0.08;  // feet and heads: of the lights' height
 
 // Sizes of a rectangle: along = 0 for lights side by side (left, right), 2 for one over the other (foot, head).
 std::optional<OpeningShape> joined(const OpeningShape& a, const OpeningShape& b, size_t along,

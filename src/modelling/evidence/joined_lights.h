@@ -8,7 +8,8 @@
 
 namespace jalon {
 
-inline constexpr double kMullion_m = 0.2;  ///< wider are piers
+inline constexpr double kMullion_m = 0.2;    ///< wider are piers
+inline constexpr double kMostLight_m = 1.3;  ///< of the narrower light
 
 /// Lights of one window as one shape: rectangles side by side (or one over the other) of the same foot and head (left
 /// and right), parted by a mullion (a transom) narrower than any pier. cell_m: of the shapes' cells; borders lie within

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "modelling/evidence/joined_lights.h"
+#include "modelling/evidence/piers.h"
 #include "modelling/evidence/shape_cells.h"
 
 namespace jalon {
@@ -103,6 +104,20 @@ FittedShape climbed(const Window& window, OpeningShape start, const Vec2& middle
   return best;
 }
 
+// Of piers too narrow to be broad that part a shape.
+size_t pier_cells(const WallCells& cells, const OpeningShape& shape) {
+  const RingBox box = shape.box();
+  const auto line = [](double at, uint32_t most) {
+    return static_cast<uint32_t>(std::clamp(at, 0.0, static_cast<double>(most)));
+  };
+  CellBox about{line(std::ceil(box.low.u), cells.columns), line(std::ceil(box.low.v), cells.rows),
+                0, 0};
+  about.c1 = std::max(about.c0, line(box.high.u, cells.columns));
+  about.r1 = std::max(about.r0, line(box.high.v, cells.rows));
+  if (about.height() == 0) return 0;
+  return pier_columns(cells, about).size() * about.height();
+}
+
 // Climbing by the few cells of a mullion must not lead across a post into the next bay.
 double crossing_wall(const WallCells& cells, const OpeningShape& shape) {
   const OpeningShape within = shape.grown(-kWithin);
@@ -118,7 +133,7 @@ double crossing_wall(const WallCells& cells, const OpeningShape& shape) {
   for_cells(cells, within, [&](uint32_t c, uint32_t r) {
     if (is_broad(c, r)) sum += kCrossingWall;
   });
-  return sum;
+  return sum + kCrossingWall * static_cast<double>(pier_cells(cells, within));
 }
 
 }  // namespace

@@ -171,6 +171,26 @@ TEST_CASE("find_openings__a_window_of_two_lights_is_one_and_windows_at_a_pier_ar
   CHECK(two(0.5).size() == 2);
 }
 
+TEST_CASE("find_openings__broad_windows_at_a_pier_that_is_hardly_seen_are_two") {
+  const auto two = [](double light_m) {
+    return PaintedWall()
+        .with(1, 1, light_m, 1.4, WallState::kThrough, 0.4)
+        .with(1.1 + light_m, 1, light_m, 1.4, WallState::kThrough, 0.4)
+        .openings();
+  };
+  const OpeningList windows = two(4);
+  REQUIRE(windows.size() == 2);
+  check_box(windows[0], 1, 1, 4, 1.4);
+  check_box(windows[1], 5.1, 1, 4, 1.4);
+  CHECK(two(0.8).size() == 1);
+}
+
+TEST_CASE("find_openings__what_something_hides_is_none_though_more_was_seen_past_it") {
+  // A buttress, and what marks of cells make of it: hidden; without it a gateway.
+  CHECK(PaintedWall().with(4, 0, 0.6, 5, WallState::kHidden).openings().empty());
+  CHECK(PaintedWall().with(4, 0, 0.6, 5, WallState::kDeep).openings().size() == 1);
+}
+
 TEST_CASE("find_openings__relief_about_an_opening_is_told") {
   const OpeningList found = PaintedWall()
                                 .with(2.85, 0.85, 1.3, 1.7, WallState::kRelief)
