@@ -3,6 +3,7 @@
 #include "modelling/evidence/contour_holes.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "geometry/polygon2.h"
 #include "geometry/polygon_sets.h"
@@ -71,7 +72,49 @@ bool is_left_open(const Contour& contour, const OpeningShape& shape) {
   return solid < kLeftOfWall * all;
 }
 
+// The place of a ring that comes nearest to a point.
+Vec2 nearest_on(const std::vector<Vec2>& ring, const Vec2& p) {
+  Vec2 out = ring.front();
+  for (size_t i = 0; i < ring.size(); ++i) {
+    const Vec2 a = ring[i], d = ring[(i + 1) % ring.size()] - a;
+    const double length2 = dot(d, d);
+    const Vec2 at = length2 > 0 ? a + d * std::clamp(dot(p - a, d) / length2, 0.0, 1.0) : a;
+    if (norm(at - p) < norm(out - p)) out = at;
+  }
+  return out;
+}
+
+// A square about the place of the outline that comes nearest to each hole, where that is near. Two rings are nearest at
+// a corner of one of them.
+std::vector<PolygonWithHoles> short_ways(const std::vector<PolygonWithHoles>& parts,
+                                         double near_m) {
+  std::vector<PolygonWithHoles> out;
+  for (const PolygonWithHoles& part : parts)
+    for (const auto& hole : part.holes) {
+      double least = INFINITY;
+      Vec2 at;
+      const auto take = [&](const Vec2& on_outline, const Vec2& on_hole) {
+        if (const double d = norm(on_outline - on_hole); d < least) least = d, at = on_outline;
+      };
+      for (const Vec2& p : part.outline) take(p, nearest_on(hole, p));
+      for (const Vec2& p : hole) take(nearest_on(part.outline, p), p);
+      if (least > near_m) continue;
+      const double r = least + near_m;
+      out.push_back({{at + Vec2{-r, -r}, at + Vec2{r, -r}, at + Vec2{r, r}, at + Vec2{-r, r}}, {}});
+    }
+  return out;
+}
+
 }  // namespace
+
+std::vector<PolygonWithHoles> cut_out(const PolygonWithHoles& whole,
+                                      std::span<const PolygonWithHoles> openings, double near_m) {
+  std::vector<PolygonWithHoles> left = combined(SetOperation::kDifference, {{whole}}, openings);
+  std::vector<PolygonWithHoles> all = short_ways(left, near_m);
+  if (all.empty()) return left;
+  all.insert(all.end(), openings.begin(), openings.end());
+  return combined(SetOperation::kDifference, {{whole}}, all);
+}
 
 std::vector<Vec2> polygon_of(const OpeningShape& shape, double spacing_m) {
   return flattened(shape.ring(), kChord * spacing_m);

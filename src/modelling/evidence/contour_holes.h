@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "geometry/polygon_sets.h"
 #include "modelling/contour/contour.h"
 #include "modelling/evidence/opening_shape.h"
 #include "modelling/evidence/wall_cells.h"
@@ -13,6 +14,11 @@ namespace jalon {
 
 /// The shape's ring, its arcs as chords.
 std::vector<Vec2> polygon_of(const OpeningShape& shape, double spacing_m);
+
+/// What openings at its border leave of a polygon. One that lies inside, so near to the border that nothing of the wall
+/// is between, is joined to the border where that comes nearest; what stays a hole is farther inside.
+std::vector<PolygonWithHoles> cut_out(const PolygonWithHoles& whole,
+                                      std::span<const PolygonWithHoles> openings, double near_m);
 
 /// From a hole to the polygon that fills it, and back.
 Chain reversed_chain(Chain chain);

@@ -240,7 +240,7 @@ std::vector<ContourPiece> parts_left(const ContourPiece& piece,
     return out;
   }
   const PolygonWithHoles whole{piece.outline, {}};
-  for (const PolygonWithHoles& left : combined(SetOperation::kDifference, {{whole}}, cut)) {
+  for (const PolygonWithHoles& left : cut_out(whole, cut, kApart * spacing_m)) {
     const double area = signed_area(left.outline);
     if (area >= setting.min_area_m2) out.push_back({dense(left.outline, spacing_m), {}, area});
   }

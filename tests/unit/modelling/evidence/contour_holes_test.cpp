@@ -4,6 +4,7 @@
 // Which hole of a contour is an opening's, on rings made by hand.
 #include <doctest/doctest.h>
 
+#include "geometry/polygon2.h"
 #include "modelling/evidence/contour_holes.h"
 #include "unit/modelling/painted_cells.h"
 
@@ -35,6 +36,22 @@ WallCells bare_wall() { return painted::cells_of(60, 40, WallState::kOn, 0.1); }
 const OpeningShape kLeftWindow = rectangle(1, 2, 1, 2.5), kRightWindow = rectangle(4, 5, 1, 2.5);
 
 }  // namespace
+
+TEST_CASE("cut_out__joins_an_opening_beside_the_border_to_it_and_keeps_one_inside") {
+  const Chain outline = box_chain(0, 0, 6, 4);
+  const auto cut = [&](double left) {
+    const PolygonWithHoles opening{box_chain(left, 1, 2, 3), {}};
+    return cut_out({outline, {}}, {{opening}}, 0.02);
+  };
+  const auto beside = cut(0.01);
+  REQUIRE(beside.size() == 1);
+  CHECK(beside[0].holes.empty());
+  CHECK(signed_area(beside[0].outline) == doctest::Approx(24 - 2 * 1.99).epsilon(0.001));
+  CHECK_FALSE(contains(beside[0].outline, {1, 2}));
+  const auto inside = cut(0.5);
+  REQUIRE(inside.size() == 1);
+  CHECK(inside[0].holes.size() == 1);
+}
 
 TEST_CASE("holes_of__each_opening_gets_the_hole_at_its_place_whatever_their_order") {
   const Chain first = hole_chain(1.01, 0.99, 2.02, 2.5), second = hole_chain(4, 1.02, 4.99, 2.51);
