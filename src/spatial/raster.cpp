@@ -3,11 +3,15 @@
 #include "spatial/raster.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstring>
+#include <functional>
+#include <utility>
 
 #include "base/error.h"
 #include "base/text_number.h"
-#include "spatial/union_find.h"
+#include "spatial/region_runs.h"
 
 namespace jalon {
 
@@ -15,70 +19,79 @@ namespace {
 
 /// Cell number of an offset from the origin, clamped into [0, n).
 uint32_t clamped_cell(double offset, double pixel_m, uint32_t n) {
-  const double cell = std::floor(offset / pixel_m);
-  if (!(cell > 0)) return 0;
+  const double cell = offset / pixel_m;  // cut off below, as std::floor() of what is above 0
+  if (!(cell >= 1)) return 0;
   return cell >= static_cast<double>(n) ? n - 1 : static_cast<uint32_t>(cell);
 }
 
-/// Sliding maximum (grow) or minimum along a row of the image by counting the set pixels in the window.
-void sweep_row(const uint8_t* in, uint8_t* out, size_t n, uint32_t radius, bool grow) {
-  const size_t window = 2 * size_t{radius} + 1;
-  size_t set = 0;
-  for (size_t i = 0; i < std::min<size_t>(radius, n); ++i) set += in[i] != 0;
-  for (size_t i = 0; i < n; ++i) {
-    if (i + radius < n) set += in[i + radius] != 0;
-    if (i > radius) set -= in[i - radius - 1] != 0;
-    out[i] = grow ? set != 0 : set == window;
+/// kColumnsTogether columns are swept at once: a cache line of each row.
+constexpr size_t kColumnsTogether = 64;
+
+/// own = own op other, byte by byte; other lies ahead of own and may overlap it, which keeps compilers from doing many
+/// bytes at once.
+template <class Op>
+void join_ahead(uint8_t* own, const uint8_t* other, size_t n, Op op) {
+  using Words = std::array<uint64_t, 4>;
+  size_t i = 0;
+  for (; i + sizeof(Words) <= n; i += sizeof(Words)) {
+    Words a, b;
+    std::memcpy(a.data(), own + i, sizeof a);
+    std::memcpy(b.data(), other + i, sizeof b);
+    for (size_t k = 0; k < a.size(); ++k) a[k] = op(a[k], b[k]);
+    std::memcpy(own + i, a.data(), sizeof a);
   }
+  for (; i < n; ++i) own[i] = static_cast<uint8_t>(op(own[i], other[i]));
 }
 
-/// The same along all columns at once, row by row, as they lie in memory.
-void sweep_columns(const uint8_t* in, uint8_t* out, size_t columns, size_t rows, uint32_t radius,
-                   bool grow) {
-  const uint32_t window = 2 * radius + 1;
-  std::vector<uint32_t> set(columns, 0);
-  const auto enter = [&](size_t row) {
-    for (size_t c = 0; c < columns; ++c) set[c] += in[row * columns + c] != 0;
+/// Each of the first n places of a line, `wide` bytes of 0 or 1 each, becomes the greatest (grow) or the least of the
+/// `window` places from it on: over 2, 4, 8 ... places from two of half as many, the last two overlapping.
+void sweep_line(uint8_t* line, size_t n, size_t window, size_t wide, bool grow) {
+  const auto join = [&](size_t places, size_t apart) {
+    uint8_t* other = line + apart * wide;
+    if (grow) join_ahead(line, other, places * wide, std::bit_or<uint64_t>());
+    else join_ahead(line, other, places * wide, std::bit_and<uint64_t>());
   };
-  for (size_t row = 0; row < std::min<size_t>(radius, rows); ++row) enter(row);
-  for (size_t row = 0; row < rows; ++row) {
-    if (row + radius < rows) enter(row + radius);
-    if (row > radius)
-      for (size_t c = 0; c < columns; ++c) set[c] -= in[(row - radius - 1) * columns + c] != 0;
-    for (size_t c = 0; c < columns; ++c)
-      out[row * columns + c] = grow ? set[c] != 0 : set[c] == window;
-  }
+  size_t have = 1, places = n + window - 1;
+  for (; 2 * have <= window; have *= 2) join(places -= have, have);
+  if (have < window) join(n, window - have);
+}
+
+/// Sliding maximum (grow) or minimum along a row, in place; beyond its ends everything is empty.
+void sweep_row(uint8_t* row, size_t n, uint32_t radius, bool grow, std::vector<uint8_t>& line) {
+  line.assign(n + 2 * size_t{radius}, 0);
+  std::copy_n(row, n, line.data() + radius);
+  sweep_line(line.data(), n, 2 * size_t{radius} + 1, 1, grow);
+  std::copy_n(line.data(), n, row);
+}
+
+/// The same along some columns at once, as they lie in memory.
+void sweep_columns(uint8_t* pixels, size_t columns, size_t rows, size_t wide, uint32_t radius,
+                   bool grow, std::vector<uint8_t>& line) {
+  line.assign((rows + 2 * size_t{radius}) * wide, 0);
+  for (size_t row = 0; row < rows; ++row)
+    std::copy_n(pixels + row * columns, wide, line.data() + (row + radius) * wide);
+  sweep_line(line.data(), rows, 2 * size_t{radius} + 1, wide, grow);
+  for (size_t row = 0; row < rows; ++row)
+    std::copy_n(line.data() + row * wide, wide, pixels + row * columns);
+}
+
+/// A window that reaches beyond the whole image sees no more than one that ends there.
+uint32_t useful_radius(const Raster& raster, uint32_t radius) {
+  return std::min(radius, std::max(raster.columns, raster.rows));
 }
 
 Raster swept(const Raster& raster, uint32_t radius, bool grow) {
   Raster out = raster;
   if (radius == 0 || raster.pixels.empty()) return out;
-  std::vector<uint8_t> half(raster.pixels.size());
+  radius = useful_radius(raster, radius);
+  for (uint8_t& pixel : out.pixels) pixel = pixel != 0;
+  std::vector<uint8_t> line;
   for (size_t row = 0; row < raster.rows; ++row)
-    sweep_row(raster.pixels.data() + row * raster.columns, half.data() + row * raster.columns,
-              raster.columns, radius, grow);
-  sweep_columns(half.data(), out.pixels.data(), raster.columns, raster.rows, radius, grow);
+    sweep_row(out.pixels.data() + row * raster.columns, raster.columns, radius, grow, line);
+  for (size_t column = 0; column < raster.columns; column += kColumnsTogether)
+    sweep_columns(out.pixels.data() + column, raster.columns, raster.rows,
+                  std::min(kColumnsTogether, raster.columns - column), radius, grow, line);
   return out;
-}
-
-/// First pass: each occupied pixel joins its occupied neighbours that come before it in row order.
-void join_neighbours(const Raster& raster, bool diagonal, UnionFind& sets) {
-  const size_t columns = raster.columns;
-  const uint8_t* pixel = raster.pixels.data();
-  for (size_t row = 0; row < raster.rows; ++row)
-    for (size_t column = 0; column < columns; ++column) {
-      const size_t i = row * columns + column;
-      if (pixel[i] == 0) continue;
-      const auto join = [&](size_t j) {
-        if (pixel[j] != 0) sets.join(static_cast<uint32_t>(i), static_cast<uint32_t>(j));
-      };
-      if (column > 0) join(i - 1);
-      if (row == 0) continue;
-      join(i - columns);
-      if (!diagonal) continue;
-      if (column > 0) join(i - columns - 1);
-      if (column + 1 < columns) join(i - columns + 1);
-    }
 }
 
 }  // namespace
@@ -89,8 +102,7 @@ size_t Raster::pixel_of(const Vec2& p) const {
 }
 
 bool Raster::holds(const Vec2& p) const {
-  const double column = std::floor((p.u - origin.u) / pixel_m),
-               row = std::floor((p.v - origin.v) / pixel_m);
+  const double column = (p.u - origin.u) / pixel_m, row = (p.v - origin.v) / pixel_m;
   return column >= 0 && row >= 0 && column < columns && row < rows &&
          pixels[static_cast<size_t>(row) * columns + static_cast<size_t>(column)] != 0;
 }
@@ -127,30 +139,12 @@ Raster rasterise(std::span<const Vec2> points, double pixel_m, uint32_t margin) 
 }
 
 Regions label_regions(const Raster& raster, Connectivity2 connectivity) {
-  UnionFind sets(raster.pixels.size());
-  join_neighbours(raster, connectivity == Connectivity2::k8, sets);
+  RegionRuns found = region_runs(raster, connectivity);
   Regions regions;
   regions.labels.assign(raster.pixels.size(), 0);
-  // Second pass: provisional numbers in order of the first pixel, then by falling size.
-  std::vector<uint64_t> sizes;
-  constexpr uint32_t kNone = 0xffffffffu;
-  std::vector<uint32_t> number(raster.pixels.size(), kNone);
-  for (size_t i = 0; i < raster.pixels.size(); ++i) {
-    if (raster.pixels[i] == 0) continue;
-    uint32_t& own = number[sets.find(static_cast<uint32_t>(i))];
-    if (own == kNone) {
-      own = static_cast<uint32_t>(sizes.size());
-      sizes.push_back(0);
-    }
-    ++sizes[own];
-    regions.labels[i] = own + 1;
-  }
-  const std::vector<uint32_t> rank = ranks_by_size(sizes);
-  regions.pixel_counts.assign(sizes.size() + 1, 0);
-  for (size_t i = 0; i < raster.pixels.size(); ++i) {
-    if (regions.labels[i] != 0) regions.labels[i] = rank[regions.labels[i] - 1];
-    ++regions.pixel_counts[regions.labels[i]];
-  }
+  for (const RegionRuns::Run& run : found.runs)
+    std::fill_n(regions.labels.begin() + run.begin, run.end - run.begin, run.label);
+  regions.pixel_counts = std::move(found.pixel_counts);
   return regions;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "spatial/region_runs.h"
 
 namespace jalon {
 
@@ -19,12 +20,14 @@ constexpr double kMaxPixels = 1 << 24;  // 16 MiB; longer scenes get coarser pix
 constexpr uint32_t kMaxGapPixels = 256;
 constexpr size_t kFlatPointsPerChunk = 1 << 15;
 
+void empty(Raster& raster, const RegionRuns::Run& run) {
+  std::fill(raster.pixels.begin() + run.begin, raster.pixels.begin() + run.end, uint8_t{0});
+}
+
 // Keeps the regions of at least `least` pixels, and the largest one in any case.
-void drop_small(Raster& raster, const Regions& regions, uint64_t least) {
-  for (size_t i = 0; i < raster.size(); ++i) {
-    const uint32_t label = regions.labels[i];
-    if (label > 1 && regions.pixel_counts[label] < least) raster.pixels[i] = 0;
-  }
+void drop_small(Raster& raster, const RegionRuns& regions, uint64_t least) {
+  for (const RegionRuns::Run& run : regions.runs)
+    if (run.label > 1 && regions.pixel_counts[run.label] < least) empty(raster, run);
 }
 
 // Empties what is narrower than the width: a morphological opening of the image, whose single empty pixels are filled
@@ -38,10 +41,11 @@ void cut_strips(Raster& raster, double width_m) {
 }
 
 // Label of the group with most occupied pixels; ties to the smaller label.
-uint32_t largest_group(const Raster& occupied, const Regions& groups, uint64_t& pixels) {
+uint32_t largest_group(const Raster& occupied, const RegionRuns& groups, uint64_t& pixels) {
   std::vector<uint64_t> counts(groups.count() + 1, 0);
-  for (size_t i = 0; i < occupied.size(); ++i)
-    if (occupied.pixels[i] != 0) ++counts[groups.labels[i]];
+  for (const RegionRuns::Run& run : groups.runs)
+    counts[run.label] += static_cast<uint64_t>(
+        std::count(occupied.pixels.begin() + run.begin, occupied.pixels.begin() + run.end, 1));
   uint32_t best = 0;
   pixels = 0;
   for (uint32_t label = 1; label < counts.size(); ++label)
@@ -63,9 +67,9 @@ Raster empty_raster(const FlatBox& box, double pixel_m, uint32_t margin) {
 // The pixel that rasterise() gives it: relative to the lowest corner, so that the margin has no say. From any thread.
 void mark_pixel(Raster& raster, const Vec2& low, uint32_t margin, const Vec2& p) {
   const auto cell = [&](double offset, uint32_t cells) {
-    const double at = std::floor(offset / raster.pixel_m);
+    const double at = offset / raster.pixel_m;  // cut off below, as std::floor() of what is above 0
     const uint32_t last = cells - 2 * margin - 1;
-    if (!(at > 0)) return size_t{margin};
+    if (!(at >= 1)) return size_t{margin};
     return size_t{margin} + (at >= static_cast<double>(last) ? last : static_cast<uint32_t>(at));
   };
   const size_t pixel =
@@ -139,21 +143,19 @@ double RegionRaster::settle() {
   // Square dilation by r joins pieces up to 2 r empty pixels apart.
   if (rule_.strip_width_m > 0) cut_strips(raster_, rule_.strip_width_m);
   const double pixel_area = raster_.pixel_m * raster_.pixel_m;
-  regions_ = label_regions(raster_);
-  if (gap_pixels_ > 0 && regions_.count() > 1) {
-    drop_small(raster_, regions_,
-               static_cast<uint64_t>(std::ceil(rule_.min_piece_m2 / pixel_area)));
-    regions_ = label_regions(dilated(raster_, gap_pixels_));
+  RegionRuns regions = region_runs(raster_);
+  if (gap_pixels_ > 0 && regions.count() > 1) {
+    drop_small(raster_, regions, static_cast<uint64_t>(std::ceil(rule_.min_piece_m2 / pixel_area)));
+    regions = region_runs(dilated(raster_, gap_pixels_));
   }
   uint64_t pixels = 0;
-  best_ = largest_group(raster_, regions_, pixels);
+  const uint32_t best = largest_group(raster_, regions, pixels);
+  for (const RegionRuns::Run& run : regions.runs)
+    if (run.label != best) empty(raster_, run);
   return static_cast<double>(pixels) * pixel_area;
 }
 
-bool RegionRaster::holds(const Vec2& p) const {
-  const size_t pixel = raster_.pixel_of(p);
-  return raster_.pixels[pixel] != 0 && regions_.labels[pixel] == best_;
-}
+bool RegionRaster::holds(const Vec2& p) const { return raster_.pixels[raster_.pixel_of(p)] != 0; }
 
 Region largest_region(std::span<const Vec2> points, const RegionRule& rule) {
   Region region;

@@ -64,7 +64,7 @@ class RegionRaster {
   /// box: of all points.
   RegionRaster(const FlatBox& box, const RegionRule& rule);
   void mark(const Vec2& p);
-  /// Its area.
+  /// Its area. Empties all pixels of others.
   double settle();
   bool holds(const Vec2& p) const;
 
@@ -72,9 +72,7 @@ class RegionRaster {
   RegionRule rule_;
   Vec2 low_;
   uint32_t gap_pixels_, margin_;
-  Raster raster_;
-  Regions regions_;
-  uint32_t best_ = 0;
+  Raster raster_;  ///< once settled, of the largest surface alone
 };
 
 /// Area of the occupied pixels.
