@@ -159,8 +159,8 @@ void reject_of_curved_extraction(SegmentScene& scene, const PointPool& pool,
                                  const Candidate& candidate,
                                  const CurvedExtractionMembers& members) {
   const auto note = [&](uint32_t position) {
-    if (position != kNoPoint && scene.curved_rejections[position] < kMostRejections)
-      ++scene.curved_rejections[position];
+    if (position != kNoPoint)
+      scene.note_rejection(scene.curved_rejections, position, kMostRejections);
   };
   note(candidate.seed);
   for (const uint32_t slot : members.slots) note(pool.position(slot));
@@ -186,8 +186,8 @@ bool extract_curved(SegmentScene& scene, PointPool& pool, const Candidate& candi
   for (const uint32_t slot : members.slots) {
     surface.positions.push_back(pool.position(slot));
     scene.owner[pool.position(slot)] = owner_id;
-    pool.remove(slot);
   }
+  pool.remove(members.slots, task);
   std::sort(surface.positions.begin(), surface.positions.end());
   out = std::move(surface);
   return true;

@@ -52,7 +52,7 @@ bool pick_seed_of_curved_hypotheses(const SegmentScene& scene, const PointPool& 
 
 Octree::Cell cell_at(const SegmentScene& scene, uint32_t position, int levels_up) {
   const int level = std::max(scene.coarse_level, scene.level[position] - levels_up);
-  return scene.tree->cell(level, scene.tree->code(position) >> (3 * (kMaxLevel - level)));
+  return scene.cell_around(level, position);
 }
 
 // An even sample of the cell's free points.

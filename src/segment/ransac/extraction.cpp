@@ -193,7 +193,7 @@ ExtractionMembers members_of(const SegmentScene& scene, const PointPool& pool,
 void reject_of_extraction(SegmentScene& scene, const PointPool& pool, const Candidate& candidate,
                           const ExtractionMembers& members) {
   const auto note = [&](uint32_t position) {
-    if (position != kNoPoint && scene.rejections[position] < 255) ++scene.rejections[position];
+    if (position != kNoPoint) scene.note_rejection(scene.rejections, position, 255);
   };
   note(candidate.seed);
   for (const uint32_t slot : members.slots) note(pool.position(slot));
@@ -284,7 +284,7 @@ bool extract_surface(RansacScene& scene, PointPool& pool, const OrientationPass&
                    scene.owner[surface.positions[i]] = owner_id;
                  }
                });
-  for (const uint32_t slot : members.slots) pool.remove(slot);
+  pool.remove(members.slots, task);
   members.slots = {};
   sort_runs(surface.positions);
   out = std::move(surface);

@@ -34,7 +34,7 @@ Octree::Cell pick_cell(const SegmentScene& scene, uint32_t seed, RandomStream& r
   const int own = scene.level[seed];
   const int level =
       std::max(scene.coarse_level, own - static_cast<int>(random.below(kHypothesesLevelsUp)));
-  return scene.tree->cell(level, scene.tree->code(seed) >> (3 * (kMaxLevel - level)));
+  return scene.cell_around(level, seed);
 }
 
 bool pick_partner(const SegmentScene& scene, const Octree::Cell& cell, const Vec3& away_from,
@@ -85,12 +85,13 @@ bool draw_globally(const SegmentScene& scene, const PointPool& pool, RandomStrea
   return plane_through(points[0], points[1], points[2], candidate.plane);
 }
 
-uint32_t inliers(const SegmentScene& scene, const PointPool& pool, const Candidate& c,
-                 size_t piece) {
+uint32_t inliers(const SegmentScene& scene, const PointPool& pool, const Candidate& c, size_t piece,
+                 Task& task) {
   const double tolerance = scene.settings.distance_tolerance_m;
   if (!c.curved.exists())
-    return pool.count(piece, scene.test(c.plane, tolerance, scene.min_cosine()));
-  return pool.count(piece, curved_test(scene, c.curved, scene.cell_edge_m(c.seed), tolerance));
+    return pool.count(piece, scene.test(c.plane, tolerance, scene.min_cosine()), task);
+  return pool.count(piece, curved_test(scene, c.curved, scene.cell_edge_m(c.seed), tolerance),
+                    task);
 }
 
 }  // namespace
@@ -128,8 +129,8 @@ bool draw_candidate(const RansacScene& scene, const PointPool& pool, const Orien
 
 // Bounds of the score from h inliers among m of N points, by the hypergeometric distribution (Schnabel et al. 2007,
 // 4.5.1): -1 - f(-2 - m, -2 - N, -1 - h), f(N, x, n) = (x n +- sqrt(x n (N - x) (N - n) / (N - 1))) / N.
-void score_next_piece(const SegmentScene& scene, const PointPool& pool, Candidate& c) {
-  c.found += inliers(scene, pool, c, c.pieces++);
+void score_next_piece(const SegmentScene& scene, const PointPool& pool, Candidate& c, Task& task) {
+  c.found += inliers(scene, pool, c, c.pieces++, task);
   const double h = c.found, all = static_cast<double>(pool.free_points());
   const double m = static_cast<double>(pool.points_upto(c.pieces - 1));
   if (c.pieces == PointPool::kPieces) {
@@ -149,9 +150,9 @@ void score_next_piece(const SegmentScene& scene, const PointPool& pool, Candidat
   c.estimate = h * all / m;
 }
 
-void score_roughly(const SegmentScene& scene, const PointPool& pool, Candidate& c) {
+void score_roughly(const SegmentScene& scene, const PointPool& pool, Candidate& c, Task& task) {
   while (c.pieces < PointPool::kPieces) {
-    score_next_piece(scene, pool, c);
+    score_next_piece(scene, pool, c, task);
     if (c.upper - c.lower <= kNarrow * c.estimate || c.upper < scene.settings.min_points) return;
   }
 }

@@ -27,9 +27,11 @@ struct Candidate {
 bool draw_candidate(const RansacScene& scene, const PointPool& pool, const OrientationPass& pass,
                     uint64_t draw, Candidate& out);
 
-/// Looks at the next piece and narrows the bounds.
-void score_next_piece(const SegmentScene& scene, const PointPool& pool, Candidate& candidate);
+/// Looks at the next piece and narrows the bounds; large pieces by all threads, where they are free.
+void score_next_piece(const SegmentScene& scene, const PointPool& pool, Candidate& candidate,
+                      Task& task);
 /// Looks at pieces until the bounds are narrow, or the score is sure to stay below min_points.
-void score_roughly(const SegmentScene& scene, const PointPool& pool, Candidate& candidate);
+void score_roughly(const SegmentScene& scene, const PointPool& pool, Candidate& candidate,
+                   Task& task);
 
 }  // namespace jalon

@@ -18,6 +18,7 @@ namespace {
 
 constexpr size_t kSmallPool = 8192;  // below, one piece: the whole is counted at once
 constexpr size_t kBlocksPerChunk = 256;
+constexpr size_t kBlocksShared = 2048;  // from so many on a count is worth waking the other threads
 constexpr size_t kPointsPerStretch = 1 << 15;
 constexpr uint64_t kPieceStream = 0x70696563;  // keeps this choice apart from the draws
 
@@ -144,14 +145,19 @@ PointColumns PointPool::columns(size_t block) const {
 }
 
 template <class Test>
-uint32_t PointPool::count_of(size_t piece, const Test& test) const {
-  uint32_t sum = 0;
-  for (size_t block = first_block_[piece]; block < first_block_[piece + 1]; ++block)
-    if (may_touch(block, test)) sum += count_in_block(block, test);
-  return sum;
+uint32_t PointPool::count_of(size_t piece, const Test& test, Task& task) const {
+  const size_t first = first_block_[piece], blocks = first_block_[piece + 1] - first;
+  const auto count_some = [&](size_t begin, size_t end) {
+    uint32_t sum = 0;
+    for (size_t block = first + begin; block < first + end; ++block)
+      if (may_touch(block, test)) sum += count_in_block(block, test);
+    return sum;
+  };
+  if (blocks < kBlocksShared) return count_some(0, blocks);
+  return parallel_reduce(task, blocks, kBlocksPerChunk, uint32_t{0}, count_some);
 }
-template uint32_t PointPool::count_of(size_t, const PlaneTest&) const;
-template uint32_t PointPool::count_of(size_t, const CurvedTest&) const;
+template uint32_t PointPool::count_of(size_t, const PlaneTest&, Task&) const;
+template uint32_t PointPool::count_of(size_t, const CurvedTest&, Task&) const;
 
 uint32_t PointPool::count_in_block(size_t block, const PlaneTest& test) const {
   return avx2_ ? count_block_avx2(columns(block), test)
@@ -202,10 +208,13 @@ std::vector<uint32_t> PointPool::slots_of(const Test& test, const Box3& box, Tas
       if (counts[block] != 0)
         counts[block] = write_inliers(block, test, box, &slots[firsts[block]]);
   });
-  auto out = slots.begin();
-  for (size_t block = 0; block < counts.size(); ++block)
-    out = std::copy_n(slots.begin() + firsts[block], counts[block], out);
-  slots.erase(out, slots.end());
+  size_t used = 0;
+  for (size_t block = 0; block < counts.size(); ++block) {
+    if (used != firsts[block])
+      std::copy_n(slots.data() + firsts[block], counts[block], slots.data() + used);
+    used += counts[block];
+  }
+  slots.resize(used);
   return slots;
 }
 
@@ -219,15 +228,17 @@ std::vector<uint32_t> PointPool::collect(const CurvedTest& test, Task& task) con
   return slots_of(test, everywhere, task);
 }
 
-void PointPool::remove(uint32_t slot) {
-  values_[slot] = kFloatNaN;
-  const size_t block = slot / kBlockPoints;
-  for (size_t p = 0; p < kPieces; ++p)
-    if (block < first_block_[p + 1]) {
-      --piece_free_[p];
-      break;
-    }
-  --free_;
+void PointPool::remove(std::span<const uint32_t> slots, Task& task) {
+  parallel_for(task, slots.size(), kPointsPerStretch, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) values_[slots[i]] = kFloatNaN;
+  });
+  auto from = slots.begin();
+  for (size_t p = 0; p < kPieces; ++p) {
+    const auto to = std::lower_bound(from, slots.end(), first_block_[p + 1] * kBlockPoints);
+    piece_free_[p] -= static_cast<size_t>(to - from);
+    from = to;
+  }
+  free_ -= slots.size();
 }
 
 }  // namespace jalon

@@ -29,8 +29,12 @@ class PointPool {
   size_t points_upto(size_t last) const;
 
   /// Inliers in one piece. Thread-safe.
-  uint32_t count(size_t piece, const PlaneTest& test) const { return count_of(piece, test); }
-  uint32_t count(size_t piece, const CurvedTest& test) const { return count_of(piece, test); }
+  uint32_t count(size_t piece, const PlaneTest& test, Task& task) const {
+    return count_of(piece, test, task);
+  }
+  uint32_t count(size_t piece, const CurvedTest& test, Task& task) const {
+    return count_of(piece, test, task);
+  }
   /// Slots of all inliers in the box, ascending.
   std::vector<uint32_t> collect(const PlaneTest& test, const Box3& box, Task& task) const;
   /// The same anywhere.
@@ -41,11 +45,12 @@ class PointPool {
   Vec3 point(uint32_t slot) const {
     return {values_[slot], values_[slots_ + slot], values_[2 * slots_ + slot]};
   }
-  void remove(uint32_t slot);
+  /// Slots ascending, of points that the pool has: they are free no more.
+  void remove(std::span<const uint32_t> slots, Task& task);
 
  private:
   template <class Test>
-  uint32_t count_of(size_t piece, const Test& test) const;
+  uint32_t count_of(size_t piece, const Test& test, Task& task) const;
   template <class Test>
   std::vector<uint32_t> slots_of(const Test& test, const Box3& box, Task& task) const;
   bool may_touch(size_t block, const PlaneTest& test) const;

@@ -69,7 +69,7 @@ class Sequence {
 
   void run_pass(const OrientationPass& pass) {
     pass_ = pass;
-    forget_rejections();
+    scene_.forget_rejections();
     candidates_.clear();
     exposure_ = 0;
     fruitless_draws_ = 0;
@@ -81,10 +81,6 @@ class Sequence {
     }
   }
 
-  void forget_rejections() {
-    std::fill(scene_.rejections.begin(), scene_.rejections.end(), uint8_t{0});
-    std::fill(scene_.curved_rejections.begin(), scene_.curved_rejections.end(), uint8_t{0});
-  }
   size_t least_points() const { return std::max<size_t>(3, scene_.settings.min_points); }
   bool enough_planes() const {
     return scene_.draw.max_planes != 0 && surfaces_.size() >= scene_.draw.max_planes;
@@ -135,7 +131,7 @@ class Sequence {
     parallel_for(task_, draws, kDrawsPerChunk, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         if (!draw(i, drawn[i])) continue;
-        score_roughly(scene_, pool_, drawn[i]);
+        score_roughly(scene_, pool_, drawn[i], task_);
         good[i] = drawn[i].upper >= static_cast<double>(least_points());
       }
     });
@@ -154,7 +150,7 @@ class Sequence {
   void refresh(Candidate& c) {
     c.found = c.pieces = 0;
     c.epoch = epoch_;
-    score_roughly(scene_, pool_, c);
+    score_roughly(scene_, pool_, c, task_);
   }
 
   // The candidate of the highest score: bounds are narrowed only while the intervals of the best ones overlap.
@@ -178,7 +174,7 @@ class Sequence {
       } else if (c.pieces == PointPool::kPieces || c.lower >= second_upper) {
         return best;
       } else {
-        score_next_piece(scene_, pool_, c);
+        score_next_piece(scene_, pool_, c, task_);
       }
     }
   }
@@ -229,7 +225,7 @@ class Sequence {
       if (!extract(candidate, id, surface)) continue;
       surfaces_.push_back(std::move(surface));
       ++epoch_;
-      forget_rejections();
+      scene_.forget_rejections();
       fruitless_draws_ = 0;
       return true;
     }

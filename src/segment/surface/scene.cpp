@@ -3,6 +3,7 @@
 #include "segment/surface/scene.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.h"
 #include "segment/surface/cell_firsts.h"
@@ -41,6 +42,7 @@ SegmentScene indexed_scene(const Cloud& cloud, const SurfaceSettings& settings, 
   scene.owner.assign(scene.size(), 0);
   scene.rejections.assign(scene.size(), 0);
   if (scene.settings.curved()) scene.curved_rejections.assign(scene.size(), 0);
+  scene.rejected_blocks.assign(scene.size() / kRejectionBlock + 1, 0);
   scene.normals = Buffer<float>(3 * scene.size());
   scene.spacing = Buffer<float>(scene.size());
   return scene;
@@ -74,9 +76,30 @@ void release_points(SegmentScene& scene) {
   scene.owner = {};
   scene.rejections = {};
   scene.curved_rejections = {};
+  scene.rejected_blocks = {};
   scene.normals = {};
   scene.spacing = {};
   scene.level = {};
+}
+
+void SegmentScene::forget_rejections() {
+  for (size_t b = 0; b < rejected_blocks.size(); ++b) {
+    if (std::exchange(rejected_blocks[b], uint8_t{0}) == 0) continue;
+    for (auto* counts : {&rejections, &curved_rejections}) {
+      const size_t begin = std::min(counts->size(), b * kRejectionBlock);
+      std::fill_n(counts->data() + begin, std::min(kRejectionBlock, counts->size() - begin),
+                  uint8_t{0});
+    }
+  }
+}
+
+// Among the firsts of the level's cells: a tenth of the points and less, where the codes of all points would be
+// searched for both ends of the cell.
+Octree::Cell SegmentScene::cell_around(int at_level, uint32_t position) const {
+  const auto& firsts = cell_firsts[static_cast<size_t>(at_level - coarse_level)];
+  const auto behind = std::upper_bound(firsts.begin(), firsts.end(), position);
+  const uint64_t code = tree->code(position) >> (3 * (kMaxLevel - at_level));
+  return {code, behind[-1], *behind - behind[-1]};
 }
 
 SurfaceAxes plane_axes(const Vec3& normal) {

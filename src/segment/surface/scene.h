@@ -21,6 +21,7 @@
 namespace jalon {
 
 constexpr uint8_t kMostRejections = 3;
+constexpr size_t kRejectionBlock = 4096;  ///< positions, a page of their notes
 constexpr size_t kFetchedAhead = 24;  ///< points whose doubles are let come before they are read
 
 /// The octree's coordinates, at hand: every step reads those of all points.
@@ -47,6 +48,8 @@ struct SegmentScene {
       {};  ///< surfaces with the point that were no planes, since the last that was
   std::vector<uint8_t> curved_rejections =
       {};  ///< the same of spheres and cylinders; empty when none are looked for
+  std::vector<uint8_t> rejected_blocks =
+      {};                      ///< whether one of so many positions has a rejection of either kind
   Buffer<float> normals = {};  ///< 3 a point, NaN = unknown
   Buffer<float> spacing = {};  ///< local point spacing, m
   Buffer<uint8_t> level = {};  ///< level of the cell that gave normal and spacing
@@ -61,6 +64,16 @@ struct SegmentScene {
   bool may_seed_curved(size_t position) const {
     return owner[position] == 0 && curved_rejections[position] < kMostRejections;
   }
+  /// Notes in rejections or curved_rejections that a surface with the point was none.
+  void note_rejection(std::vector<uint8_t>& counts, size_t position, uint8_t most) {
+    if (counts[position] >= most) return;
+    ++counts[position];
+    rejected_blocks[position / kRejectionBlock] = 1;
+  }
+  /// All of both kinds, in the time that those took which were noted.
+  void forget_rejections();
+  /// The octree's cell around a point, at a level of cell_firsts.
+  Octree::Cell cell_around(int at_level, uint32_t position) const;
   /// Edge of the cell that gave normal and spacing of the point.
   double cell_edge_m(size_t position) const {
     return std::ldexp(tree->cube().edge, -level[position]);

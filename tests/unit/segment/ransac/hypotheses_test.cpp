@@ -122,7 +122,7 @@ TEST_CASE("draw_candidate__of_a_pool_without_free_points_there_is_nothing_to_dra
     CHECK(pool.slots() == 0);
     Candidate c;
     for (uint64_t i = 0; i < 50; ++i) CHECK_FALSE(draw_candidate(made.scene, pool, {}, i, c));
-    score_roughly(made.scene, pool, c);
+    score_roughly(made.scene, pool, c, made.task);
     CHECK(c.upper == 0);
   }
 }
@@ -141,7 +141,7 @@ TEST_CASE(
       c.plane = random_plane(made.scene, random);
       const auto truth = static_cast<double>(inliers_by_force(made.scene, c.plane));
       for (size_t piece = 0; piece < PointPool::kPieces; ++piece) {
-        score_next_piece(made.scene, pool, c);
+        score_next_piece(made.scene, pool, c, made.task);
         CHECK(c.lower <= c.upper);
         CHECK(c.lower >= c.found);
         if (piece != 1 && piece != 2) continue;
@@ -165,12 +165,12 @@ TEST_CASE("score_roughly__stops_when_the_bounds_are_narrow_or_the_plane_is_too_s
   Candidate floor, air;
   floor.plane = {{0, 0, 1}, -made.scene.origin.z};
   air.plane = {{0, 0, 1}, 10};
-  score_roughly(made.scene, pool, floor);
+  score_roughly(made.scene, pool, floor, made.task);
   CHECK(floor.pieces < PointPool::kPieces);
   CHECK(floor.upper - floor.lower <= 0.2 * floor.estimate);
   CHECK(floor.estimate ==
         doctest::Approx(5000).epsilon(0.3));  // bounds are narrow to 20 %, one sigma
-  score_roughly(made.scene, pool, air);
+  score_roughly(made.scene, pool, air, made.task);
   CHECK(air.found == 0);
   CHECK(air.upper < 50);
   CHECK(air.pieces < PointPool::kPieces);

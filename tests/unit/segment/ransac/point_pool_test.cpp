@@ -78,7 +78,8 @@ TEST_CASE("point_pool__counts_and_collects_what_lies_near_a_plane_a_ball_or_a_pi
     const auto flat = pool.collect(test, box_of_all(), made.task);
     check_slots(made, pool, flat, [&](const Vec3& p) { return plane.distance(p); });
     size_t counted = 0;
-    for (size_t piece = 0; piece < PointPool::kPieces; ++piece) counted += pool.count(piece, test);
+    for (size_t piece = 0; piece < PointPool::kPieces; ++piece)
+      counted += pool.count(piece, test, made.task);
     CHECK(counted == flat.size());
     for (const Curved& curved : {ball, pipe}) {
       const CurvedTest round_test = curved_test(made.scene, curved, 0, kPoolReach_m);
@@ -86,7 +87,7 @@ TEST_CASE("point_pool__counts_and_collects_what_lies_near_a_plane_a_ball_or_a_pi
       check_slots(made, pool, slots, [&](const Vec3& p) { return curved.distance(p); });
       counted = 0;
       for (size_t piece = 0; piece < PointPool::kPieces; ++piece)
-        counted += pool.count(piece, round_test);
+        counted += pool.count(piece, round_test, made.task);
       CHECK(counted == slots.size());
     }
   }
@@ -107,7 +108,7 @@ TEST_CASE("point_pool__a_box_and_removed_points_leave_out_what_they_should") {
     if (pool.point(slot).x <= 1.5) expected.push_back(slot);
   CHECK(boxed == expected);
   REQUIRE(expected.size() > 500);
-  for (const uint32_t slot : boxed) pool.remove(slot);
+  pool.remove(boxed, made.task);
   CHECK(pool.free_points() == 4000 - boxed.size());
   CHECK(pool.built_points() == 4000);
   CHECK(pool.points_upto(PointPool::kPieces - 1) == pool.free_points());
@@ -133,4 +134,20 @@ TEST_CASE("point_pool__pieces_are_random_shares_of_1_3_12_and_48_in_64_of_a_larg
       CHECK(norm(split.point(slot) - large.scene.local(p)) < 4 * 0x1p-24 * 3);
     }
   CHECK(positions.size() == 20000);
+}
+
+TEST_CASE("point_pool__counts_large_pieces_alike_with_any_number_of_threads") {
+  MadeScene made(pool_cloud(400000).points);
+  const PointPool pool(made.scene, made.task);
+  const Plane wall{{0, 1, 0}, -made.scene.origin.y};
+  const PlaneTest test = made.scene.test(wall, kPoolReach_m, 0);
+  Task many(Task::Hooks{.threads = 3});
+  size_t counted = 0;
+  for (size_t piece = 0; piece < PointPool::kPieces; ++piece) {
+    const uint32_t alone = pool.count(piece, test, made.task);
+    CHECK(pool.count(piece, test, many) == alone);
+    counted += alone;
+  }
+  CHECK(counted == pool.collect(test, box_of_all(), many).size());
+  CHECK(counted > 190000);
 }

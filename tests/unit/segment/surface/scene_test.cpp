@@ -50,6 +50,43 @@ TEST_CASE("segment_scene__an_arbitrary_shift_leaves_the_order_of_the_points") {
   for (size_t p = 0; p < points.size(); ++p) CHECK(a.point(p) == b.point(p));
 }
 
+TEST_CASE("segment_scene__cells_around_points_are_those_of_the_octree") {
+  const Scene scene = wall();
+  const MadeScene made(scene.points);
+  const Octree& tree = *made.scene.tree;
+  for (uint32_t p = 0; p < made.scene.size(); p += 7)
+    for (int level = made.scene.coarse_level; level <= made.scene.fine_level; ++level) {
+      const Octree::Cell found = made.scene.cell_around(level, p),
+                         wanted = tree.cell(level, tree.code(p) >> (3 * (kMaxLevel - level)));
+      CHECK(found.code == wanted.code);
+      CHECK(found.first == wanted.first);
+      CHECK(found.count == wanted.count);
+    }
+}
+
+TEST_CASE("segment_scene__rejections_are_counted_up_to_a_limit_and_forgotten_together") {
+  Scene scene;
+  RandomStream random(4, 7);
+  scene.rectangle(1, {0, 0, 0}, {3, 0, 0}, {0, 0, 2}, 9001, 0.003, random);
+  SurfaceSettings settings;
+  settings.primitives = Primitives::kAll;
+  MadeScene made(scene.points, settings);
+  RansacScene& s = made.scene;
+  for (int time = 0; time < 5; ++time)
+    for (const size_t p : {0, 4095, 4096, 9000}) {
+      s.note_rejection(s.rejections, p, 4);
+      s.note_rejection(s.curved_rejections, p, kMostRejections);
+    }
+  CHECK(s.rejections[9000] == 4);
+  CHECK(s.curved_rejections[4096] == kMostRejections);
+  CHECK_FALSE(s.may_seed(0));
+  s.forget_rejections();
+  for (const auto* counts : {&s.rejections, &s.curved_rejections})
+    CHECK(std::count(counts->begin(), counts->end(), 0) == 9001);
+  s.note_rejection(s.rejections, 4095, 4);
+  CHECK(s.rejections[4095] == 1);
+}
+
 TEST_CASE("plane_axes__u_horizontal_v_upward_in_a_right_handed_frame") {
   RandomStream random(3, 7);
   for (int i = 0; i < 200; ++i) {
