@@ -8,6 +8,7 @@
 
 #include "base/parallel.h"
 #include "segment/ransac/curved_hypotheses.h"
+#include "segment/settle/each_surface.h"
 
 namespace jalon {
 
@@ -46,7 +47,30 @@ struct Patch {
   }
 };
 
-Patch patch_of(const SegmentScene& scene, const Surface& surface) {
+// The surface's pixels, and the box of its points.
+Raster image_of(const SegmentScene& scene, const Surface& surface, Patch& patch, Task& task) {
+  const auto& positions = surface.positions;
+  patch.box = parallel_reduce(task, positions.size(), kAssignmentPointsPerChunk, Box3{},
+                              [&](size_t begin, size_t end) {
+                                Box3 part;
+                                for (size_t i = begin; i < end; ++i)
+                                  part.add(scene.local(positions[i]));
+                                return part;
+                              });
+  if (surface.is_plane()) {
+    patch.frame = plane_frame(surface.plane, scene.local(positions[0]));
+    const auto at = [&](size_t i) { return patch.frame(scene.local(positions[i])); };
+    return bounded_raster_of(positions.size(), at, surface.pixel_m, 1, task);
+  }
+  std::vector<Vec3> points(positions.size());
+  for (size_t i = 0; i < points.size(); ++i) points[i] = scene.local(positions[i]);
+  patch.map = surface.curved.map(points);
+  std::vector<Vec2> uv(points.size());
+  for (size_t i = 0; i < uv.size(); ++i) uv[i] = patch.map(points[i]);
+  return bounded_raster(uv, surface.pixel_m, 1, task);
+}
+
+Patch patch_of(const SegmentScene& scene, const Surface& surface, Task& task) {
   const double tolerance = scene.settings.distance_tolerance_m;
   Patch patch;
   patch.plane = surface.plane;
@@ -57,23 +81,16 @@ Patch patch_of(const SegmentScene& scene, const Surface& surface) {
   const double density =
       static_cast<double>(surface.positions.size()) / std::max(surface.area_m2, kLeastArea_m2);
   patch.evidence = 2 * std::log(sigma / density);
-  std::vector<Vec3> points(surface.positions.size());
-  for (size_t i = 0; i < points.size(); ++i) {
-    points[i] = scene.local(surface.positions[i]);
-    patch.box.add(points[i]);
+  if (!scene.settings.connectivity) {
+    patch.box = Box3{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+    return patch;
   }
-  std::vector<Vec2> uv(points.size());
-  if (surface.is_plane()) patch.frame = plane_frame(surface.plane, points[0]);
-  else patch.map = surface.curved.map(points);
-  for (size_t i = 0; i < uv.size(); ++i)
-    uv[i] = surface.is_plane() ? patch.frame(points[i]) : patch.map(points[i]);
+  patch.mask = dilated(image_of(scene, surface, patch, task), 1);
   const double margin = 2 * surface.pixel_m + tolerance;
   for (int k = 0; k < 3; ++k) {
     patch.box.min[k] -= margin;
     patch.box.max[k] += margin;
   }
-  if (scene.settings.connectivity) patch.mask = dilated(bounded_raster(uv, surface.pixel_m, 1), 1);
-  else patch.box = Box3{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
   return patch;
 }
 
@@ -150,8 +167,8 @@ void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, T
 
 void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
   std::vector<Patch> patches(surfaces.size());
-  parallel_for(task, surfaces.size(), 1,
-               [&](size_t i, size_t) { patches[i] = patch_of(scene, surfaces[i]); });
+  for_each_surface(surfaces, task,
+                   [&](size_t i) { patches[i] = patch_of(scene, surfaces[i], task); });
   const double min_cosine = scene.min_cosine();
   const double reach_m =
       scene.settings.distance_tolerance_m + kReachSlack * scene.tree->cube().edge;

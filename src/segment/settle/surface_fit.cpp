@@ -34,14 +34,12 @@ constexpr size_t kMostForBorder = 50000;  // larger surfaces tell their border b
 // reveals have too few points to be found as planes. Nothing else tells those points from the surface's own.
 std::vector<uint8_t> inner_points(const SegmentScene& scene, const Surface& surface, Task& task) {
   const FlatFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
-  std::vector<Vec2> uv(surface.positions.size());
-  parallel_for(task, uv.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) uv[i] = frame(scene.local(surface.positions[i]));
-  });
-  const Raster inner = eroded(closed(bounded_raster(uv, surface.pixel_m, 1, task), 1), 1);
-  std::vector<uint8_t> out(uv.size());
-  parallel_for(task, uv.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) out[i] = inner.pixels[inner.pixel_of(uv[i])];
+  const auto at = [&](size_t i) { return frame(scene.local(surface.positions[i])); };
+  const size_t n = surface.positions.size();
+  const Raster inner = eroded(closed(bounded_raster_of(n, at, surface.pixel_m, 1, task), 1), 1);
+  std::vector<uint8_t> out(n);
+  parallel_for(task, n, kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) out[i] = inner.pixels[inner.pixel_of(at(i))];
   });
   return out;
 }
@@ -201,8 +199,10 @@ bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
   if (!good) return false;
   surface.plane = fit.plane;
   surface.sigma_m = fit.sigma;
+  const FlatFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+  const auto at = [&](size_t i) { return frame(scene.local(surface.positions[i])); };
   surface.area_m2 =
-      occupied_area_m2(bounded_raster(flat_points(scene, surface, task), surface.pixel_m, 0, task));
+      occupied_area_m2(bounded_raster_of(surface.positions.size(), at, surface.pixel_m, 0, task));
   return surface.area_m2 >= settings.min_area_m2;
 }
 

@@ -3,10 +3,8 @@
 #include "segment/surface/connectivity.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "spatial/region_runs.h"
 
 namespace jalon {
@@ -18,7 +16,6 @@ constexpr double kSpacingsPerPixel =
 constexpr double kSpacingPercentile = 0.8;
 constexpr double kMaxPixels = 1 << 24;  // 16 MiB; longer scenes get coarser pixels
 constexpr uint32_t kMaxGapPixels = 256;
-constexpr size_t kFlatPointsPerChunk = 1 << 15;
 
 void empty(Raster& raster, const RegionRuns::Run& run) {
   std::fill(raster.pixels.begin() + run.begin, raster.pixels.begin() + run.end, uint8_t{0});
@@ -56,28 +53,14 @@ uint32_t largest_group(const Raster& occupied, const RegionRuns& groups, uint64_
   return best;
 }
 
-// An image as rasterise() makes it of points with this extent, all of it empty.
+}  // namespace
+
 Raster empty_raster(const FlatBox& box, double pixel_m, uint32_t margin) {
   const Vec2 corners[] = {box.low, box.high};
   Raster raster = bounded_raster(corners, pixel_m, margin);
   std::fill(raster.pixels.begin(), raster.pixels.end(), uint8_t{0});
   return raster;
 }
-
-// The pixel that rasterise() gives it: relative to the lowest corner, so that the margin has no say. From any thread.
-void mark_pixel(Raster& raster, const Vec2& low, uint32_t margin, const Vec2& p) {
-  const auto cell = [&](double offset, uint32_t cells) {
-    const double at = offset / raster.pixel_m;  // cut off below, as std::floor() of what is above 0
-    const uint32_t last = cells - 2 * margin - 1;
-    if (!(at >= 1)) return size_t{margin};
-    return size_t{margin} + (at >= static_cast<double>(last) ? last : static_cast<uint32_t>(at));
-  };
-  const size_t pixel =
-      cell(p.v - low.v, raster.rows) * raster.columns + cell(p.u - low.u, raster.columns);
-  std::atomic_ref<uint8_t>(raster.pixels[pixel]).store(1, std::memory_order_relaxed);
-}
-
-}  // namespace
 
 FlatFrame plane_frame(const Plane& plane, const Vec3& near) {
   const SurfaceAxes axes = plane_axes(plane.normal);
@@ -115,17 +98,8 @@ Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t mar
 }
 
 Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin, Task& task) {
-  const FlatBox box = parallel_reduce(task, points.size(), kFlatPointsPerChunk, FlatBox{},
-                                      [&](size_t begin, size_t end) {
-                                        FlatBox part;
-                                        for (size_t i = begin; i < end; ++i) part.add(points[i]);
-                                        return part;
-                                      });
-  Raster raster = empty_raster(box, pixel_m, margin);
-  parallel_for(task, points.size(), kFlatPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) mark_pixel(raster, box.low, margin, points[i]);
-  });
-  return raster;
+  return bounded_raster_of(
+      points.size(), [&](size_t i) { return points[i]; }, pixel_m, margin, task);
 }
 
 RegionRaster::RegionRaster(const FlatBox& box, const RegionRule& rule)
@@ -136,8 +110,6 @@ RegionRaster::RegionRaster(const FlatBox& box, const RegionRule& rule)
       margin_(std::max(gap_pixels_, rule.strip_width_m > 0 ? 1u : 0u)) {
   raster_ = empty_raster(box, rule.pixel_m, margin_);
 }
-
-void RegionRaster::mark(const Vec2& p) { mark_pixel(raster_, low_, margin_, p); }
 
 double RegionRaster::settle() {
   // Square dilation by r joins pieces up to 2 r empty pixels apart.

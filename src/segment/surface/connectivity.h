@@ -3,11 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "base/parallel.h"
 #include "base/task.h"
 #include "segment/surface/scene.h"
 #include "spatial/raster.h"
@@ -57,13 +59,30 @@ struct FlatBox {
   }
 };
 
+/// An image as rasterise() makes it of points with this extent, all of it empty.
+Raster empty_raster(const FlatBox& box, double pixel_m, uint32_t margin);
+
+/// The pixel that rasterise() gives a point: relative to the lowest corner, so that the margin has no say. From any
+/// thread.
+inline void mark_pixel(Raster& raster, const Vec2& low, uint32_t margin, const Vec2& p) {
+  const auto cell = [&](double offset, uint32_t cells) {
+    const double at = offset / raster.pixel_m;  // cut off below, as std::floor() of what is above 0
+    const uint32_t last = cells - 2 * margin - 1;
+    if (!(at >= 1)) return size_t{margin};
+    return size_t{margin} + (at >= static_cast<double>(last) ? last : static_cast<uint32_t>(at));
+  };
+  const size_t pixel =
+      cell(p.v - low.v, raster.rows) * raster.columns + cell(p.u - low.u, raster.columns);
+  std::atomic_ref<uint8_t>(raster.pixels[pixel]).store(1, std::memory_order_relaxed);
+}
+
 /// The same in steps, for points that nobody has listed: a list of those of the largest surface would be the peak of a
 /// segmentation. 1. mark() all points, from any threads; 2. settle(); 3. holds() tells which of them belong to it.
 class RegionRaster {
  public:
   /// box: of all points.
   RegionRaster(const FlatBox& box, const RegionRule& rule);
-  void mark(const Vec2& p);
+  void mark(const Vec2& p) { mark_pixel(raster_, low_, margin_, p); }
   /// Its area. Empties all pixels of others.
   double settle();
   bool holds(const Vec2& p) const;
@@ -84,5 +103,22 @@ double bounded_pixel(const FlatBox& box, double pixel_m, uint32_t margin);
 Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin);
 /// The same by all threads.
 Raster bounded_raster(std::span<const Vec2> points, double pixel_m, uint32_t margin, Task& task);
+
+/// The same of the points at(0) ... at(n - 1), which are asked for twice: of a plane they are found sooner than read.
+template <class At>
+Raster bounded_raster_of(size_t n, const At& at, double pixel_m, uint32_t margin, Task& task) {
+  constexpr size_t kPointsPerChunk = 1 << 15;
+  const FlatBox box =
+      parallel_reduce(task, n, kPointsPerChunk, FlatBox{}, [&](size_t begin, size_t end) {
+        FlatBox part;
+        for (size_t i = begin; i < end; ++i) part.add(at(i));
+        return part;
+      });
+  Raster raster = empty_raster(box, pixel_m, margin);
+  parallel_for(task, n, kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) mark_pixel(raster, box.low, margin, at(i));
+  });
+  return raster;
+}
 
 }  // namespace jalon
