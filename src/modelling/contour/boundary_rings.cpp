@@ -22,19 +22,29 @@ struct HalfEdges {
   uint32_t from(uint32_t h) const { return triangles[h / 3][h % 3]; }
 };
 
-HalfEdges pair_half_edges(std::span<const Triangle2> triangles) {
+// A bucket for each point: the half-edges of which it is the lesser end, by their other end; a few each.
+HalfEdges pair_half_edges(std::span<const Triangle2> triangles, size_t points) {
   HalfEdges edges{triangles, std::vector<uint32_t>(3 * triangles.size(), kNone)};
-  std::vector<std::pair<uint64_t, uint32_t>> keyed(edges.twin.size());
+  const auto ends_of = [&](uint32_t h) {
+    return std::minmax({edges.from(h), edges.from(next_in_triangle(h))});
+  };
+  std::vector<uint32_t> bucket_end(points + 1, 0);  // their beginnings until they are filled
+  for (uint32_t h = 0; h < edges.twin.size(); ++h) ++bucket_end[ends_of(h).first + 1];
+  std::partial_sum(bucket_end.begin(), bucket_end.end(), bucket_end.begin());
+  std::vector<std::pair<uint32_t, uint32_t>> keyed(edges.twin.size());
   for (uint32_t h = 0; h < keyed.size(); ++h) {
-    const uint64_t a = edges.from(h), b = edges.from(next_in_triangle(h));
-    keyed[h] = {std::min(a, b) << 32 | std::max(a, b), h};
+    const auto [low, high] = ends_of(h);
+    keyed[bucket_end[low]++] = {high, h};
   }
-  std::sort(keyed.begin(), keyed.end());
-  for (size_t i = 1; i < keyed.size(); ++i)
-    if (keyed[i].first == keyed[i - 1].first) {
-      edges.twin[keyed[i].second] = keyed[i - 1].second;
-      edges.twin[keyed[i - 1].second] = keyed[i].second;
-    }
+  size_t begin = 0;
+  for (size_t p = 0; p < points; begin = bucket_end[p++]) {
+    std::sort(keyed.data() + begin, keyed.data() + bucket_end[p]);
+    for (size_t i = begin + 1; i < bucket_end[p]; ++i)
+      if (keyed[i].first == keyed[i - 1].first) {
+        edges.twin[keyed[i].second] = keyed[i - 1].second;
+        edges.twin[keyed[i - 1].second] = keyed[i].second;
+      }
+  }
   return edges;
 }
 
@@ -92,7 +102,7 @@ void split_at_repeats(std::span<const uint32_t> walk, std::vector<uint32_t>& pos
 
 std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles,
                                           std::span<const Vec2> points) {
-  const HalfEdges edges = pair_half_edges(triangles);
+  const HalfEdges edges = pair_half_edges(triangles, points.size());
   std::vector<uint32_t> piece_of;
   std::vector<BoundaryPiece> pieces(label_pieces(edges, piece_of));
   for (size_t t = 0; t < triangles.size(); ++t) {
