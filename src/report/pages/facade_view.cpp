@@ -103,13 +103,12 @@ void add_openings_of(ViewScene& scene, const Model& model, const OpeningList& op
   }
 }
 
-ViewChannel label_channel(const Segmentation& segmentation, Task& task) {
+ViewChannel label_channel(const Segmentation& segmentation, const LabelRaster& front) {
   ViewChannel channel;
   channel.kind = ViewChannel::Kind::kLabel;
   channel.name = "segments";
   channel.colours = {kNoiseColour};
-  const LabelRaster raster = rasterise_labels(segmentation, PictureView::kFront, task);
-  for (const uint8_t colour : colour_labels(raster, segmentation.segments.size()))
+  for (const uint8_t colour : colour_labels(front, segmentation.segments.size()))
     channel.colours.push_back(segment_palette()[colour]);
   channel.value = [labels = segmentation.labels](size_t i) { return labels->number(i); };
   return channel;
@@ -133,6 +132,13 @@ ViewChannel residual_channel(const Segmentation& segmentation, double half_range
 
 ViewScene facade_scene(const Segmentation& segmentation, const Model& model,
                        const OpeningList& openings, double half_range_m, Task& task) {
+  return facade_scene(segmentation, model, openings, half_range_m,
+                      rasterise_labels(segmentation, PictureView::kFront, task), task);
+}
+
+ViewScene facade_scene(const Segmentation& segmentation, const Model& model,
+                       const OpeningList& openings, double half_range_m, const LabelRaster& front,
+                       Task& task) {
   ViewScene scene;
   const auto& m = segmentation.T_facade_world.m;
   scene.along = {m[0], m[1], m[2]};
@@ -143,7 +149,7 @@ ViewScene facade_scene(const Segmentation& segmentation, const Model& model,
   ViewCloud view;
   view.name = "scan";
   view.cloud = segmentation.cloud;
-  view.channels.push_back(label_channel(segmentation, task));
+  view.channels.push_back(label_channel(segmentation, front));
   view.channels.push_back(residual_channel(segmentation, half_range_m));
   add_field_channels(view);
   scene.clouds.push_back(std::move(view));

@@ -4,6 +4,7 @@
 
 #include "base/task.h"
 #include "report/elevation/opening_list.h"
+#include "report/pictures/label_raster.h"
 #include "report/viewer/scene.h"
 #include "segment/segmentation.h"
 
@@ -14,5 +15,9 @@ namespace jalon {
 /// with their sizes. half_range_m: of the residuals' chart.
 ViewScene facade_scene(const Segmentation& segmentation, const Model& model,
                        const OpeningList& openings, double half_range_m, Task& task);
+/// The same with the front view that rasterise_labels() gives.
+ViewScene facade_scene(const Segmentation& segmentation, const Model& model,
+                       const OpeningList& openings, double half_range_m, const LabelRaster& front,
+                       Task& task);
 
 }  // namespace jalon

@@ -177,9 +177,10 @@ void add_drawings(Page& page, const Segmentation& segmentation, const Model& mod
       "to scale for printing are the files elevation*.svg.");
 }
 
-void add_picture(Page& page, const Segmentation& segmentation, Task& task) {
+void add_picture(Page& page, const Segmentation& segmentation, const LabelRaster& front,
+                 Task& task) {
   page.heading("Labelled points");
-  page.html().raw(picture_svg(segmentation, {}, task));
+  page.html().raw(picture_svg(segmentation, {}, front, task));
   page.note(
       "Front view, from the station side. Segments that meet have different colours; "
       "the numbers are those of the table of "
@@ -236,9 +237,13 @@ std::string report_html(const Segmentation& segmentation, const Model& model,
   if (settings.drawing && !model.faces.empty())
     add_drawings(page, segmentation, model, notes, task);
   if (settings.orthoimage && !model.faces.empty()) add_orthoimages(page, segmentation, model, task);
-  if (settings.picture) add_picture(page, segmentation, task);
+  LabelRaster front;  // for the picture and for the colours of the view
+  if (settings.picture || settings.viewer_points > 0)
+    front = rasterise_labels(segmentation, PictureView::kFront, task);
+  if (settings.picture) add_picture(page, segmentation, front, task);
   if (settings.viewer_points > 0)
-    add_viewer(page, facade_scene(segmentation, model, openings, residuals.half_range_m, task),
+    add_viewer(page,
+               facade_scene(segmentation, model, openings, residuals.half_range_m, front, task),
                settings.viewer_points, task);
   add_openings(page, model, openings);
   add_planes(page, segmentation, task);

@@ -3,6 +3,8 @@
 #include "report/pictures/label_raster.h"
 
 #include <algorithm>
+#include <atomic>
+#include <bit>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -23,6 +25,9 @@ constexpr double kMostExtent_m = 1e9;  // 25 times round the Earth: squares of m
 constexpr int kClosingNeighbours = 5;  // of 8: a hole of one pixel in a surface
 
 using Labels = std::span<const uint32_t>;
+
+// From any thread.
+void set(uint8_t& flag) { std::atomic_ref<uint8_t>(flag).store(1, std::memory_order_relaxed); }
 
 // Front: along the facade and the height Z of the data, the eye at the station side. Plan: X and Y, the eye above.
 Projection projection_of(const Segmentation& s, PictureView view, Task& task) {
@@ -69,14 +74,14 @@ double spacing_of(const Cloud& cloud, const Projection& projection, const Extent
                                std::sqrt(kPointsPerCell * width * height / n));
   const auto side = static_cast<size_t>(kCoarseCells) + 1;
   std::vector<uint8_t> covered(side * side, 0);
-  for (size_t i = 0; i < cloud.size(); ++i) {
-    if (i % kPointsPerChunk == 0)
-      task.checkpoint(static_cast<double>(i) / static_cast<double>(cloud.size()));
-    const Vec2 p = projection.flat(cloud.point(i));
-    const double u = (p.u - box.low.u) / cell, v = (p.v - box.low.v) / cell;
-    if (u >= 0 && v >= 0 && u < static_cast<double>(side) && v < static_cast<double>(side))
-      covered[static_cast<size_t>(v) * side + static_cast<size_t>(u)] = 1;
-  }
+  parallel_for(task, cloud.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec2 p = projection.flat(cloud.point(i));
+      const double u = (p.u - box.low.u) / cell, v = (p.v - box.low.v) / cell;
+      if (u >= 0 && v >= 0 && u < static_cast<double>(side) && v < static_cast<double>(side))
+        set(covered[static_cast<size_t>(v) * side + static_cast<size_t>(u)]);
+    }
+  });
   const auto cells = static_cast<double>(std::count(covered.begin(), covered.end(), uint8_t{1}));
   return cell * std::sqrt(cells / n);
 }
@@ -97,33 +102,52 @@ LabelRaster frame(const Extent& box, double spacing) {
   return out;
 }
 
+// What is drawn in a pixel: the depth of its nearest point of a segment, in bits that rise with it, before the point's
+// number. The least of them all is the same whatever thread comes first.
+constexpr uint64_t kNothing = ~uint64_t{0};
+uint64_t drawn(float depth, size_t point) {
+  const auto bits = std::bit_cast<uint32_t>(depth + 0.0F);  // one zero
+  constexpr uint32_t kSign = 0x80000000u;
+  return uint64_t{(bits & kSign) != 0 ? ~bits : bits | kSign} << 32 | point;
+}
+
+void keep_least(uint64_t& pixel, uint64_t value) {
+  std::atomic_ref<uint64_t> at(pixel);
+  uint64_t least = at.load(std::memory_order_relaxed);
+  while (value < least && !at.compare_exchange_weak(least, value, std::memory_order_relaxed)) {
+  }
+}
+
 // Every point as a square of (2 radius + 1) pixels; the nearest one stays, noise goes where no segment is.
 void draw_points(const Cloud& cloud, Labels labels, const Projection& projection, int64_t radius,
                  LabelRaster& out, Task& task) {
-  std::vector<float> nearest(out.labels.size(), INFINITY);
+  std::vector<uint64_t> nearest(out.labels.size(), kNothing);
+  std::vector<uint8_t> noise(out.labels.size(), 0);
   const int64_t columns = out.columns, rows = out.rows;
-  for (size_t i = 0; i < labels.size(); ++i) {
-    if (i % kPointsPerChunk == 0)
-      task.checkpoint(static_cast<double>(i) / static_cast<double>(labels.size()));
+  const auto draw = [&](size_t i) {
     const Vec3 p = cloud.point(i);
     const Vec2 flat = projection.flat(p);
     const double u = (flat.u - out.low.u) / out.pixel_m, v = (flat.v - out.low.v) / out.pixel_m;
     if (!(u >= 0 && v >= 0 && u < static_cast<double>(columns) && v < static_cast<double>(rows)))
-      continue;
+      return;
     const int64_t column = static_cast<int64_t>(u), row = rows - 1 - static_cast<int64_t>(v);
     const auto depth = static_cast<float>(projection.depth(p));
+    if (labels[i] != 0 && !(depth < INFINITY)) return;
+    const uint64_t value = drawn(depth, i);
     for (int64_t y = std::max<int64_t>(0, row - radius); y <= std::min(rows - 1, row + radius); ++y)
       for (int64_t x = std::max<int64_t>(0, column - radius);
            x <= std::min(columns - 1, column + radius); ++x) {
         const auto pixel = static_cast<size_t>(y * columns + x);
-        if (labels[i] == 0) {
-          if (out.labels[pixel] == LabelRaster::kEmpty) out.labels[pixel] = LabelRaster::kNoise;
-        } else if (depth < nearest[pixel]) {
-          nearest[pixel] = depth;
-          out.labels[pixel] = labels[i];
-        }
+        if (labels[i] == 0) set(noise[pixel]);
+        else keep_least(nearest[pixel], value);
       }
-  }
+  };
+  parallel_for(task, labels.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) draw(i);
+  });
+  for (size_t pixel = 0; pixel < nearest.size(); ++pixel)
+    if (nearest[pixel] != kNothing) out.labels[pixel] = labels[nearest[pixel] & 0xffffffffu];
+    else if (noise[pixel] != 0) out.labels[pixel] = LabelRaster::kNoise;
 }
 
 // Fills pixels without a segment that lie inside one: most of their neighbours have its label.

@@ -3,6 +3,7 @@
 #include "report/pictures/ortho_points.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "base/error.h"
@@ -19,6 +20,17 @@ constexpr double kMostCells = 1e6;
 constexpr double kLeastSide_m = 0.01;
 constexpr double kSameSurface_m =
     0.05;  // behind the nearest point of a pixel: noise and edges, no other surface
+
+// Times kTogether: points whose values wait to be added up, 33 MB at most.
+constexpr size_t kBatch = 16;
+
+// Whatever thread comes first.
+void keep_greatest(float& greatest, float value) {
+  std::atomic_ref<float> at(greatest);
+  float before = at.load(std::memory_order_relaxed);
+  while (value > before && !at.compare_exchange_weak(before, value, std::memory_order_relaxed)) {
+  }
+}
 
 // What makes 0 ... 255 of the values of colours: 16 bits in LAS, 8 elsewhere, or floats from 0 to 1.
 double unit_of(const Column* const (&parts)[3]) {
@@ -86,16 +98,19 @@ void OrthoPoints::find_inside(double in_front_m, double behind_m, Task& task) {
   for (const auto& some : inside_) count_ += some.size();
 }
 
-// use(i, q): q on the sheet.
+// use(i, q): q on the sheet. By all threads.
 template <class F>
 void OrthoPoints::for_each(double from, double to, Task& task, F&& use) const {
   const ProgressSpan span(task, from, to);
-  for (size_t c = 0; c < inside_.size(); ++c) {
-    task.checkpoint(static_cast<double>(c) / static_cast<double>(inside_.size()));
-    for (const uint16_t offset : inside_[c]) {
-      const size_t i = c * kTogether + offset;
-      use(i, facade_.on_sheet(cloud_.point(i)));
-    }
+  parallel_chunks(task, inside_.size(), [&](size_t c) { for_each_of(c, use); });
+}
+
+// The same of those points that were found together.
+template <class F>
+void OrthoPoints::for_each_of(size_t together, F&& use) const {
+  for (const uint16_t offset : inside_[together]) {
+    const size_t i = together * kTogether + offset;
+    use(i, facade_.on_sheet(cloud_.point(i)));
   }
 }
 
@@ -110,7 +125,7 @@ double OrthoPoints::spacing_m(Task& task) const {
   for_each(0.1, 0.2, task, [&](size_t, const Vec3& q) {
     const auto x = std::min(static_cast<size_t>((q.x - facade_.left_m) / cell_m), columns - 1);
     const auto y = std::min(static_cast<size_t>((q.y - facade_.bottom_m) / cell_m), rows - 1);
-    covered[y * columns + x] = 1;
+    std::atomic_ref<uint8_t>(covered[y * columns + x]).store(1, std::memory_order_relaxed);
   });
   const auto cells = static_cast<double>(std::ranges::count(covered, uint8_t{1}));
   return cell_m * std::sqrt(cells / n);
@@ -124,29 +139,50 @@ void OrthoPoints::draw(Orthoimage& image, Task& task) const {
   };
   std::vector<float> nearest(image.size(), -INFINITY);
   for_each(0.2, 0.5, task, [&](size_t, const Vec3& q) {
-    float& at = nearest[pixel_of(q)];
-    at = std::max(at, static_cast<float>(q.z));
+    keep_greatest(nearest[pixel_of(q)], static_cast<float>(q.z));
   });
-  // Sums in the order of the points: the same for any number of threads.
   const bool in_colour = content_ == OrthoContent::kColour;
   const size_t samples = in_colour ? 3 : 1;
   const Column* parts[3] = {column("red"), column("green"), column("blue")};
   const Column* intensity = column("intensity");
   const double unit = in_colour ? unit_of(parts) : 1;
+  const auto value_of = [&](size_t i, const Vec3& q, size_t s) {
+    return in_colour                              ? parts[s]->number(i) * unit
+           : content_ == OrthoContent::kIntensity ? intensity->number(i)
+                                                  : q.z;
+  };
+  // What some points show, by all threads; then their sums in the order of the points, the same for any number of them.
+  struct Shown {
+    std::vector<size_t> pixels;
+    std::vector<double> values;  ///< as many a point as there are samples
+  };
+  const auto shown_of = [&](size_t together) {
+    Shown shown;
+    for_each_of(together, [&](size_t i, const Vec3& q) {
+      const size_t at = pixel_of(q);
+      if (q.z < double{nearest[at]} - kSameSurface_m) return;
+      double values[3] = {0, 0, 0};
+      for (size_t s = 0; s < samples; ++s)
+        if (values[s] = value_of(i, q, s); !std::isfinite(values[s])) return;
+      shown.pixels.push_back(at);
+      shown.values.insert(shown.values.end(), values, values + samples);
+    });
+    return shown;
+  };
   std::vector<double> sums(samples * image.size(), 0);
   std::vector<uint32_t> counts(image.size(), 0);
-  for_each(0.5, 0.9, task, [&](size_t i, const Vec3& q) {
-    const size_t at = pixel_of(q);
-    if (q.z < double{nearest[at]} - kSameSurface_m) return;
-    double values[3] = {q.z, 0, 0};
-    if (in_colour)
-      for (size_t s = 0; s < 3; ++s) values[s] = parts[s]->number(i) * unit;
-    else if (content_ == OrthoContent::kIntensity) values[0] = intensity->number(i);
-    for (size_t s = 0; s < samples; ++s)
-      if (!std::isfinite(values[s])) return;
-    ++counts[at];
-    for (size_t s = 0; s < samples; ++s) sums[samples * at + s] += values[s];
-  });
+  const ProgressSpan span(task, 0.5, 0.9);
+  for (size_t first = 0; first < inside_.size(); first += kBatch) {
+    std::vector<Shown> batch(std::min(kBatch, inside_.size() - first));
+    parallel_chunks(task, batch.size(), [&](size_t k) { batch[k] = shown_of(first + k); });
+    for (const Shown& shown : batch)
+      for (size_t k = 0; k < shown.pixels.size(); ++k) {
+        const size_t at = shown.pixels[k];
+        ++counts[at];
+        for (size_t s = 0; s < samples; ++s)
+          sums[samples * at + s] += shown.values[samples * k + s];
+      }
+  }
   image.has_data.assign(image.size(), 0);
   if (in_colour) image.colours.assign(3 * image.size(), 0);
   else image.values.assign(image.size(), 0);

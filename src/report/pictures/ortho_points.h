@@ -25,6 +25,8 @@ class OrthoPoints {
   void find_inside(double in_front_m, double behind_m, Task& task);
   template <class F>
   void for_each(double from, double to, Task& task, F&& use) const;
+  template <class F>
+  void for_each_of(size_t together, F&& use) const;
 
   const Cloud& cloud_;
   const PlacedFacade& facade_;

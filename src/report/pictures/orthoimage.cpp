@@ -116,11 +116,10 @@ void close_holes(Orthoimage& image) {
     }
 }
 
-std::vector<float> sorted_values(const Orthoimage& image) {
+std::vector<float> known_values(const Orthoimage& image) {
   std::vector<float> out;
   for (size_t i = 0; i < image.values.size(); ++i)
     if (image.has_data[i] != 0) out.push_back(image.values[i]);
-  std::ranges::sort(out);
   return out;
 }
 
@@ -167,16 +166,18 @@ Rgb OrthoColours::operator()(double value) const {
 }
 
 OrthoColours colours_of(const Orthoimage& image) {
-  std::vector<float> sorted = sorted_values(image);
+  std::vector<float> values = known_values(image);
   OrthoColours out;
   out.is_distance = image.content == OrthoContent::kDistance;
-  if (sorted.empty()) return out;
+  if (values.empty()) return out;
   const auto at = [&](double share) {
-    return double{sorted[static_cast<size_t>(share * static_cast<double>(sorted.size() - 1))]};
+    const auto place =
+        values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::ranges::nth_element(values, place);
+    return double{*place};
   };
   if (out.is_distance) {
-    for (float& v : sorted) v = std::fabs(v);
-    std::ranges::sort(sorted);
+    for (float& v : values) v = std::fabs(v);
     out.high = std::max(at(kShareOfDistances), kLeastScale_m);
     out.low = -out.high;
   } else {

@@ -3,6 +3,7 @@
 #include "report/pictures/picture.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/setting_rows.h"
 #include "base/text_number.h"
@@ -130,8 +131,14 @@ std::string picture_svg(const Segmentation& segmentation, const PictureSettings&
     return code_plan_svg(segmentation, read_coded_notes(segmentation.notes_json), settings.title,
                          task);
   const ProgressSpan span(task, 0, 1, "drawing the segments");
-  Picture picture{
-      segmentation, rasterise_labels(segmentation, settings.view, task), {}, settings.view, {}};
+  return picture_svg(segmentation, settings, rasterise_labels(segmentation, settings.view, task),
+                     task);
+}
+
+std::string picture_svg(const Segmentation& segmentation, const PictureSettings& settings,
+                        LabelRaster raster, Task& task) {
+  task.checkpoint(1);
+  Picture picture{segmentation, std::move(raster), {}, settings.view, {}};
   picture.colours = colour_labels(picture.raster, segmentation.segments.size());
   const bool is_empty = picture.raster.labels.empty();
   picture.sheet = is_empty ? lay_out_figure(10, 5)

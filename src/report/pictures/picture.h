@@ -24,6 +24,9 @@ std::span<const ParamRow> picture_rows();
 /// a PNG inside it.
 std::string picture_svg(const Segmentation& segmentation, const PictureSettings& settings,
                         Task& task);
+/// The same with the raster that rasterise_labels() gives for this view.
+std::string picture_svg(const Segmentation& segmentation, const PictureSettings& settings,
+                        LabelRaster raster, Task& task);
 /// The points alone as a PNG file.
 std::string picture_png(const Segmentation& segmentation, const PictureSettings& settings,
                         Task& task);
