@@ -12,7 +12,8 @@ namespace {
 constexpr double kCrossingPointsFlattest =
     0.94;  // |cos| of 20 degrees: flatter planes share more than a row of points
 constexpr double kOn = 3, kLeastSigma_m = 0.001;  // sigma: of points on a plane
-constexpr int kLeastBeside = 2;  // points on one side of a plane before it goes on there
+constexpr double kBoxSlack_m = 1e-6;  // far above the rounding of coordinates of seven digits
+constexpr int kLeastBeside = 2;       // points on one side of a plane before it goes on there
 
 double on_plane_m(const Segment& segment) {
   return kOn * std::max(segment.fit.sigma, kLeastSigma_m);
@@ -26,10 +27,12 @@ double height_m(const Segment& segment, const Vec3& p) {
 
 }  // namespace
 
-CrossingPoints::CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment)
+CrossingPoints::CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment,
+                               std::span<const Box3> boxes)
     : segmentation_(segmentation), tree_(tree), own_(segmentation.segments[segment]) {
   crosses_.assign(segmentation.segments.size() + 1, 0);
-  for (const Segment& other : segmentation.segments) {
+  for (size_t s = 0; s < segmentation.segments.size(); ++s) {
+    const Segment& other = segmentation.segments[s];
     const Plane& plane = other.fit.plane;
     if (!other.has_plane() ||
         std::fabs(dot(plane.normal, own_.fit.plane.normal)) >= kCrossingPointsFlattest)
@@ -40,6 +43,7 @@ CrossingPoints::CrossingPoints(const Segmentation& segmentation, const Octree& t
     crossing_.z.push_back(plane.normal.z);
     crossing_.offset.push_back(plane.offset);
     crossing_.reach_m.push_back(on_plane_m(other) + kHeightStep_m);
+    crossing_.box.push_back(boxes[s]);
   }
 }
 
@@ -52,6 +56,19 @@ bool CrossingPoints::lies_on_one(const Vec3& p) const {
     on |= static_cast<uint64_t>(std::fabs(height) <= c.reach_m[i]);
   }
   return on != 0;
+}
+
+// Planes go on without end; their points do not, and a point far from all of them has none around it.
+bool CrossingPoints::has_one_near(const Vec3& p, double reach_m) const {
+  const Crossing& c = crossing_;
+  const double wide = reach_m + kBoxSlack_m;
+  for (size_t i = 0; i < c.x.size(); ++i) {
+    const double height = c.x[i] * p.x + c.y[i] * p.y + c.z[i] * p.z - c.offset[i];
+    if (!(std::fabs(height) <= c.reach_m[i])) continue;
+    const Vec3 below = c.box[i].min - p, above = p - c.box[i].max;
+    if (std::max({below.x, below.y, below.z, above.x, above.y, above.z}) <= wide) return true;
+  }
+  return false;
 }
 
 bool CrossingPoints::ends_at(const Segment& other, const Vec3& p,
@@ -77,7 +94,7 @@ bool CrossingPoints::ends_at(const Segment& other, const Vec3& p,
 
 bool CrossingPoints::holds(uint32_t point, double reach_m) const {
   const Vec3 p = segmentation_.cloud->point(point);
-  if (!lies_on_one(p)) return false;
+  if (!lies_on_one(p) || !has_one_near(p, reach_m)) return false;
   const auto labels = segmentation_.labels->values<uint32_t>();
   std::vector<Neighbour> near;
   tree_.radius(p, reach_m, near);

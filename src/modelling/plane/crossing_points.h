@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "segment/segmentation.h"
@@ -16,8 +17,9 @@ namespace jalon {
 class CrossingPoints {
  public:
   /// Before: segment is the index of a plane in segmentation.segments; tree is that of its cloud.
-  /// The arguments must outlive it. O(segments).
-  CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment);
+  /// boxes: of the points of each segment. The arguments but these must outlive it. O(segments).
+  CrossingPoints(const Segmentation& segmentation, const Octree& tree, size_t segment,
+                 std::span<const Box3> boxes);
 
   /// Whether a plane that is not parallel to this one goes through the point, with points of its own before and behind
   /// this plane within reach_m, while this plane has no points on both sides of that one. O(planes), and O(points
@@ -28,8 +30,10 @@ class CrossingPoints {
   /// The planes that cross this one, a coordinate each, and how near to them a point may lie on them.
   struct Crossing {
     std::vector<double> x, y, z, offset, reach_m;
+    std::vector<Box3> box;
   };
   bool lies_on_one(const Vec3& p) const;
+  bool has_one_near(const Vec3& p, double reach_m) const;
   bool ends_at(const Segment& other, const Vec3& p, const std::vector<Neighbour>& near) const;
 
   const Segmentation& segmentation_;

@@ -97,6 +97,7 @@ struct Vectoriser {
   const ContourMaker& make_contour;
   std::shared_ptr<const Octree> tree;
   const LabelGroups& groups;
+  std::vector<Box3> boxes;  ///< of the points of each segment
 
   VectorPlane operator()(size_t s, Task& task) const;
 };
@@ -116,7 +117,8 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
   // 2. Contours (4.2.2, 4.2.3).
   ForeignTest foreign;
   if (setting.straighten)
-    foreign = [&, crossing = CrossingPoints(segmentation, *tree, s)](uint32_t i, double spacing_m) {
+    foreign = [&, crossing = CrossingPoints(segmentation, *tree, s, boxes)](uint32_t i,
+                                                                            double spacing_m) {
       return crossing.holds(indices[i], kCrossingReach * spacing_m);
     };
   const Contour contour = make_contour ? make_contour(s, points, setting.contour, foreign, task)
@@ -148,6 +150,22 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
   return out;
 }
 
+std::vector<Box3> boxes_of(const Cloud& cloud, const LabelGroups& groups, Task& task) {
+  constexpr size_t kPointsPerChunk = 1 << 15;
+  std::vector<Box3> boxes(groups.count());
+  groups.for_each(task, [&](uint32_t label) {
+    const auto indices = groups.of(label);
+    boxes[label - 1] = parallel_reduce(task, indices.size(), kPointsPerChunk, Box3{},
+                                       [&](size_t begin, size_t end) {
+                                         Box3 part;
+                                         for (size_t i = begin; i < end; ++i)
+                                           part.add(cloud.point(indices[i]));
+                                         return part;
+                                       });
+  });
+  return boxes;
+}
+
 void check_labels(const Segmentation& segmentation) {
   const auto labels = segmentation.labels->values<uint32_t>();
   const size_t segments = segmentation.segments.size();
@@ -169,10 +187,11 @@ std::vector<VectorPlane> vectorise(const Segmentation& segmentation,
     const ProgressSpan span(task, 0, 0.05, "sorting points by plane");
     return LabelGroups(segmentation.labels->values<uint32_t>(), count, task);
   }();
-  Vectoriser vectoriser{segmentation, setting, make_contour, nullptr, groups};
+  Vectoriser vectoriser{segmentation, setting, make_contour, nullptr, groups, {}};
   if (setting.straighten) {
     const ProgressSpan span(task, 0.05, 0.1, "indexing points");
     vectoriser.tree = segmentation.cloud->octree(task);
+    vectoriser.boxes = boxes_of(*segmentation.cloud, groups, task);
   }
   const ProgressSpan span(task, 0.1, 1, "drawing outlines");
   parallel_for(task, count, 1, [&](size_t begin, size_t end) {
