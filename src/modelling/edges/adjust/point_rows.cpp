@@ -16,16 +16,29 @@ constexpr double kLeast = 0.55, kPointRowsMost = 2.2;
 constexpr int kFrequencies = 48;
 constexpr double kLeastPower = 0.1;  // below, a period among so few points may be chance
 
-// Power of a frequency in one block: |sum of weights x e^(i f d)|^2 over the squared sum of weights, less what as many
-// random points would show.
-double power(const EdgeBlock& block, double first_m, double last_m, double frequency) {
-  double cosines = 0, sines = 0, sum = 0, squares = 0;
+struct WeightedPoint {
+  double d_m, weight;
+};
+
+// The points of a block between two depths, with the weights of Hann's window.
+std::vector<WeightedPoint> windowed(const EdgeBlock& block, double first_m, double last_m) {
+  std::vector<WeightedPoint> out;
   for (const StripPoint& p : block.points) {
     if (p.d_m < first_m || p.d_m > last_m) continue;
-    const double s = std::sin(std::numbers::pi * (p.d_m - first_m) / (last_m - first_m)),
-                 weight = s * s;  // Hann
-    cosines += weight * std::cos(2 * std::numbers::pi * frequency * p.d_m);
-    sines += weight * std::sin(2 * std::numbers::pi * frequency * p.d_m);
+    const double s = std::sin(std::numbers::pi * (p.d_m - first_m) / (last_m - first_m));
+    out.push_back({p.d_m, s * s});
+  }
+  return out;
+}
+
+// Power of a frequency in one block: |sum of weights x e^(i f d)|^2 over the squared sum of weights, less what as many
+// random points would show.
+double power(const std::vector<WeightedPoint>& points, double frequency) {
+  double cosines = 0, sines = 0, sum = 0, squares = 0;
+  for (const auto& [d_m, weight] : points) {
+    const double angle = 2 * std::numbers::pi * frequency * d_m;
+    cosines += weight * std::cos(angle);
+    sines += weight * std::sin(angle);
     sum += weight;
     squares += weight * weight;
   }
@@ -41,14 +54,17 @@ Rows find_rows(std::span<const MeasuredEdge* const> edges, double spacing_m) {
       if (block.depth_m >= kStripInward * spacing_m) blocks.push_back(&block);
   if (blocks.empty()) return {};
   const size_t step = blocks.size() / kPointRowsMostBlocks + 1;
+  std::vector<std::vector<WeightedPoint>> points;
+  for (size_t b = 0; b < blocks.size(); b += step)
+    points.push_back(windowed(*blocks[b], spacing_m, kStripInward * spacing_m));
   Rows best;
   double most = kLeastPower;
   for (int k = 0; k < kFrequencies; ++k) {
     const double share = k / (kFrequencies - 1.0);
     const double frequency = ((1 - share) / kPointRowsMost + share / kLeast) / spacing_m;
     double sum = 0, count = 0;
-    for (size_t b = 0; b < blocks.size(); b += step) {
-      sum += power(*blocks[b], spacing_m, kStripInward * spacing_m, frequency);
+    for (const auto& block : points) {
+      sum += power(block, frequency);
       count += 1;
     }
     if (sum / count <= most) continue;

@@ -36,12 +36,19 @@ ChainMoments::Sums ChainMoments::central(size_t first, size_t last) const {
           n};
 }
 
+double ChainMoments::squares_of(const Sums& c) {
+  const double spread = std::hypot(c[2] - c[4], 2 * c[3]);
+  return std::max(0.0, (c[2] + c[4] - spread) / 2) * c[8];
+}
+
+double ChainMoments::squares(size_t first, size_t last) const {
+  return squares_of(central(first, last));
+}
+
 ChainMoments::LineFit ChainMoments::line(size_t first, size_t last) const {
   const Sums c = central(first, last);
   const double angle = 0.5 * std::atan2(2 * c[3], c[2] - c[4]);
-  const double spread = std::hypot(c[2] - c[4], 2 * c[3]),
-               smaller = std::max(0.0, (c[2] + c[4] - spread) / 2);
-  return {{reference_ + Vec2{c[0], c[1]}, {std::cos(angle), std::sin(angle)}}, smaller * c[8]};
+  return {{reference_ + Vec2{c[0], c[1]}, {std::cos(angle), std::sin(angle)}}, squares_of(c)};
 }
 
 Vec2 ChainMoments::mean(size_t first, size_t last) const {

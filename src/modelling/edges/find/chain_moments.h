@@ -28,6 +28,8 @@ class ChainMoments {
   };
   /// Points first ... last of the chain walked round up to twice; first < last.
   LineFit line(size_t first, size_t last) const;
+  /// Its squares alone, without any angle.
+  double squares(size_t first, size_t last) const;
   Vec2 mean(size_t first, size_t last) const;
   /// Weighted sum of squared distances to a given line.
   double squares_about(const EdgeLine& line, size_t first, size_t last) const;
@@ -46,6 +48,8 @@ class ChainMoments {
   using Sums = std::array<double, kSums>;
   /// Means over the stretch, products about their means; last the sum of weights.
   Sums central(size_t first, size_t last) const;
+  /// About the line that fits best.
+  static double squares_of(const Sums& central);
 
   Vec2 reference_;
   size_t count_ = 0;

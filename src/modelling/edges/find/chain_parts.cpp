@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "geometry/polygon2.h"
 #include "modelling/edges/find/chain_moments.h"
+#include "modelling/edges/find/rough_angle.h"
 
 namespace jalon {
 
@@ -85,20 +87,27 @@ struct Splitter {
     line_cost = 3 * log_n;
     arc_cost = 4 * log_n;
   }
-  const Vec2& at(size_t i) const { return chain[i % chain.size()]; }
+  // A division costs more than what is done with the point.
+  const Vec2& at(size_t i) const { return i < chain.size() ? chain[i] : chain[i % chain.size()]; }
 };
 
+constexpr size_t kSweptSteps = 8;
+
 // Angle swept about the centre from the first over the middle to the last point; sign by sense.
-double swept(const Splitter& s, const Circle& circle, size_t first, size_t last) {
-  const auto step = [&](size_t i, size_t j) {
-    const Vec2 a = s.at(i) - circle.centre, b = s.at(j) - circle.centre;
-    return std::atan2(cross(a, b), dot(a, b));
-  };
-  constexpr size_t kSteps = 8;
+template <class AngleOf>
+double swept_by(const Splitter& s, const Circle& circle, size_t first, size_t last,
+                AngleOf&& angle_of) {
   double angle = 0;
-  for (size_t k = 0; k < kSteps; ++k)
-    angle += step(first + (last - first) * k / kSteps, first + (last - first) * (k + 1) / kSteps);
+  Vec2 a = s.at(first) - circle.centre;
+  for (size_t k = 1; k <= kSweptSteps; ++k) {
+    const Vec2 b = s.at(first + (last - first) * k / kSweptSteps) - circle.centre;
+    angle += angle_of(cross(a, b), dot(a, b));
+    a = b;
+  }
   return angle;
+}
+double swept(const Splitter& s, const Circle& circle, size_t first, size_t last) {
+  return swept_by(s, circle, first, last, [](double y, double x) { return std::atan2(y, x); });
 }
 
 // Whether the chain is shorter than so much from the first to the last point: by the ways from the chain's start, whose
@@ -112,9 +121,29 @@ bool is_shorter(const Splitter& s, size_t first, size_t last, double limit_m) {
   return length < limit_m;
 }
 
+// What is_arc() says, from a rough angle; nothing where that is too near a limit to tell. Nearly all tell.
+std::optional<bool> is_arc_roughly(const Splitter& s, const Circle& circle, size_t first,
+                                   size_t last) {
+  constexpr double kError = kSweptSteps * kRoughAngleError_rad, kSlack = 1e-9;
+  const double spacing = s.setting.spacing_m;
+  const double angle = std::fabs(swept_by(s, circle, first, last, rough_angle));
+  const double low = angle - kError, high = angle + kError;
+  if (high < kLeastTurn || (low > kMostTurn && high < kWholeTurn)) return false;
+  if (!(low > kLeastTurn && (high < kMostTurn || low > kWholeTurn))) return std::nullopt;
+  const double sagitta = circle.radius * (1 - std::cos(angle / 2));
+  const double beyond = sagitta - kLeastSagitta * spacing, error_m = circle.radius * kError;
+  if (beyond < -error_m) return false;
+  if (!(beyond > error_m)) return std::nullopt;
+  const double limit = kLengthAgreement * circle.radius * angle + 4 * spacing;
+  const double over = s.way_m[last] - s.way_m[first] - limit,
+               slack = kLengthAgreement * error_m + kSlack * s.way_m.back();
+  return std::fabs(over) > slack ? std::optional(over < 0) : std::nullopt;
+}
+
 bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last) {
   const double spacing = s.setting.spacing_m;
   if (circle.radius < kLeastRadius * spacing) return false;
+  if (const auto told = is_arc_roughly(s, circle, first, last)) return *told;
   const double angle = std::fabs(swept(s, circle, first, last));
   if (angle < kLeastTurn || (angle > kMostTurn && angle < kWholeTurn)) return false;
   if (circle.radius * (1 - std::cos(angle / 2)) < kLeastSagitta * spacing) return false;
@@ -174,7 +203,9 @@ PartCost cost_of(const Splitter& s, size_t first, size_t last) {
   // Contour points stray together, as where a row of a grid ends beside an edge: nothing is gained by following them
   // more closely than their standard deviation.
   const double n = static_cast<double>(last - first + 1);
-  const auto fit = s.moments.line(first, last);
+  ChainMoments::LineFit fit;  // its angle is of use where there are guides alone
+  if (s.setting.guides != nullptr) fit = s.moments.line(first, last);
+  else fit.squares = s.moments.squares(first, last);
   const double line = std::max(n, fit.squares / s.variance);
   PartCost out{line + s.line_cost, false, line > kHopeless * n, false, {}};
   if (misses_ends(s, fit.line, first, last)) out.cost = INFINITY;
