@@ -61,7 +61,8 @@ TEST_CASE("crossing_points__of_a_soffit_over_a_post_bound_nothing") {
   const Segmentation segmentation = segmentation_of({scene.wall, scene.soffit});
   Task task;
   const auto tree = segmentation.cloud->octree(task);
-  const CrossingPoints crossing(segmentation, *tree, 0);
+  const std::vector<Box3> boxes = boxes_of(segmentation);
+  const CrossingPoints crossing(segmentation, *tree, 0, boxes);
   for (uint32_t i = 0; i < scene.wall.size(); ++i) {
     CAPTURE(scene.wall[i].x);
     CAPTURE(scene.wall[i].z);
@@ -75,7 +76,8 @@ TEST_CASE("crossing_points__a_plane_that_ends_at_the_other_crosses_nothing") {
   const Segmentation segmentation = segmentation_of({scene.wall, scene.soffit});
   Task task;
   const auto tree = segmentation.cloud->octree(task);
-  const CrossingPoints crossing(segmentation, *tree, 0);
+  const std::vector<Box3> boxes = boxes_of(segmentation);
+  const CrossingPoints crossing(segmentation, *tree, 0, boxes);
   for (uint32_t i = 0; i < scene.wall.size(); ++i) CHECK(!crossing.holds(i, 3 * kSpacing));
 }
 
@@ -89,6 +91,7 @@ TEST_CASE("crossing_points__a_plane_that_goes_on_beyond_the_other_is_whole") {
   const Segmentation segmentation = segmentation_of({wall, scene.soffit});
   Task task;
   const auto tree = segmentation.cloud->octree(task);
-  const CrossingPoints crossing(segmentation, *tree, 0);
+  const std::vector<Box3> boxes = boxes_of(segmentation);
+  const CrossingPoints crossing(segmentation, *tree, 0, boxes);
   for (uint32_t i = 0; i < wall.size(); ++i) CHECK(!crossing.holds(i, 3 * kSpacing));
 }
