@@ -24,6 +24,14 @@ double highest(const Contour& contour) {
   return v;
 }
 
+std::vector<Box3> boxes_of(const Segmentation& segmentation) {
+  std::vector<Box3> boxes(segmentation.segments.size());
+  const auto labels = segmentation.labels->values<uint32_t>();
+  for (size_t i = 0; i < labels.size(); ++i)
+    if (labels[i] > 0) boxes[labels[i] - 1].add(segmentation.cloud->point(i));
+  return boxes;
+}
+
 /// A wall 4 m wide and 2 m high with a post 0.4 m wide on it up to v = 2.5, where a soffit runs from before to behind;
 /// the points of the soffit that lie in the wall's plane are the wall's.
 struct PostUnderSoffit {
