@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <utility>
 
 #include "base/parallel.h"
@@ -29,21 +28,25 @@ constexpr double kApart = 0.5;  // of a size: nearer places are of one pattern
 
 struct Spot {
   double u, v, value;
-  /// cos and sin of twice the angle about the place.
-  std::complex<double> doubled() const {
-    const double r2 = u * u + v * v;
-    return r2 > 0 ? std::complex<double>{(u * u - v * v) / r2, 2 * u * v / r2} : 0;
-  }
+  Vec2 doubled;  ///< cos and sin of twice the angle about the place
 };
+
+Vec2 doubled_direction(double u, double v) {
+  const double r2 = u * u + v * v;
+  return r2 > 0 ? Vec2{(u * u - v * v) / r2, 2 * u * v / r2} : Vec2{};
+}
 
 // Squared correlation of the brightness with the sign of cos(2 angle - turn), at the turn of the
 // second harmonic.
-double checker_likeness(const std::vector<Spot>& spots, double mean, double squares) {
-  std::complex<double> sum = 0;
-  for (const Spot& s : spots) sum += (s.value - mean) * s.doubled();
+double checker_likeness(std::vector<Spot>& spots, double mean, double squares) {
+  Vec2 sum;
+  for (Spot& s : spots) {
+    s.doubled = doubled_direction(s.u, s.v);
+    sum.u += (s.value - mean) * s.doubled.u, sum.v += (s.value - mean) * s.doubled.v;
+  }
   double with = 0, signs = 0;
   for (const Spot& s : spots) {
-    const double sign = (s.doubled() * std::conj(sum)).real() > 0 ? 1 : -1;
+    const double sign = s.doubled.u * sum.u + s.doubled.v * sum.v > 0 ? 1 : -1;
     with += sign * (s.value - mean), signs += sign;
   }
   const auto n = static_cast<double>(spots.size());
@@ -54,7 +57,7 @@ double checker_likeness(const std::vector<Spot>& spots, double mean, double squa
 double disc_likeness(const std::vector<Spot>& spots, double mean, double squares, double radius_m) {
   double inside = 0, with = 0;
   for (const Spot& s : spots)
-    if (std::hypot(s.u, s.v) < radius_m) ++inside, with += s.value - mean;
+    if (s.u * s.u + s.v * s.v < radius_m * radius_m) ++inside, with += s.value - mean;
   const auto n = static_cast<double>(spots.size());
   const double spread = inside - inside * inside / n;
   return spread > 0 ? with * with / (spread * squares) : 0;
@@ -92,7 +95,7 @@ class Looking {
       const Vec3 d = cloud_.point(index) - place;
       const double value = intensity_.number(index), off = fit.plane.distance(place + d);
       if (std::fabs(off) > tolerance_m_ || !std::isfinite(value)) continue;
-      spots.push_back({dot(d, fit.axis_u), dot(d, fit.axis_v), value});
+      spots.push_back({dot(d, fit.axis_u), dot(d, fit.axis_v), value, {}});
       mean += value;
     }
     if (spots.size() < std::min<size_t>(min_points_, kMostSpots / 2)) return 0;

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// Single queries: depth-first through the box tree, nearest child first. Grid coordinates only rule points out; what
-// may belong to the answer is measured in doubles between the caller's own coordinates, so that answers equal brute
-// force. Where the tree has boxes in doubles, these rule out (exact_walk.h).
+// Single queries: depth-first through the box tree, for the nearest points the nearest child first, for a ball in the
+// order of the curve. Grid coordinates only rule points out; what may belong to the answer is measured in doubles
+// between the caller's own coordinates, so that answers equal brute force. Where the tree has boxes in doubles, these
+// rule out (exact_walk.h).
 
 #include <algorithm>
 #include <cmath>
@@ -26,6 +27,19 @@ struct Visit {
   uint32_t level, block;
 };
 
+// Of the boxes of a block from a place, grid units.
+void squared_distances(const BoxBlock& b, const Vec3& q, double (&squared)[kBoxes]) {
+  for (size_t i = 0; i < kBoxes; ++i) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double below = b.lo[axis][i] - q[axis], above = q[axis] - (b.hi[axis][i] + 1.0);
+      const double out = std::max(std::max(below, above), 0.0);
+      sum += out * out;
+    }
+    squared[i] = sum;
+  }
+}
+
 // Walks the leaves that may hold points nearer than bound() (squared, grid units), nearest first by box; scan(leaf)
 // looks at one.
 template <class Bound, class Scan>
@@ -40,15 +54,7 @@ void walk(const Octree::Impl& tree, const Vec3& q, Bound bound, Scan scan) {
     if (visit.squared > bound()) continue;
     const BoxBlock& b = tree.levels[visit.level][visit.block];
     double squared[kBoxes];
-    for (size_t i = 0; i < kBoxes; ++i) {
-      double sum = 0;
-      for (int axis = 0; axis < 3; ++axis) {
-        const double below = b.lo[axis][i] - q[axis], above = q[axis] - (b.hi[axis][i] + 1.0);
-        const double out = std::max(std::max(below, above), 0.0);
-        sum += out * out;
-      }
-      squared[i] = sum;
-    }
+    squared_distances(b, q, squared);
     Visit children[kBoxes];
     size_t count = 0;
     for (uint32_t i = 0; i < kBoxes; ++i) {
@@ -63,6 +69,33 @@ void walk(const Octree::Impl& tree, const Vec3& q, Bound bound, Scan scan) {
     } else {
       for (size_t i = count; i-- > 0;)
         stack[depth++] = {children[i].squared, visit.level - 1, children[i].block};
+    }
+  }
+}
+
+// Calls scan(leaf) for the leaves whose boxes are within sqrt(limit) (grid units), in the order of the curve.
+template <class Scan>
+void leaves_within(const Octree::Impl& tree, const Vec3& q, double limit, Scan scan) {
+  if (tree.count == 0) return;
+  struct Waiting {
+    uint32_t level, block;
+  };
+  Waiting stack[kBoxes * 12];  // as of walk
+  size_t depth = 0;
+  stack[depth++] = {static_cast<uint32_t>(tree.levels.size()) - 1, 0};
+  while (depth != 0) {
+    const auto [level, block] = stack[--depth];
+    const BoxBlock& b = tree.levels[level][block];
+    double squared[kBoxes];
+    squared_distances(b, q, squared);
+    const auto is_in = [&](size_t i) { return b.lo[0][i] <= b.hi[0][i] && squared[i] <= limit; };
+    const uint32_t first = block * static_cast<uint32_t>(kBoxes);
+    if (level == 0) {
+      for (uint32_t i = 0; i < kBoxes; ++i)
+        if (is_in(i)) scan(first + i);
+    } else {
+      for (uint32_t i = kBoxes; i-- > 0;)
+        if (is_in(i)) stack[depth++] = {level - 1, first + i};
     }
   }
 }
@@ -167,7 +200,7 @@ uint32_t Octree::Impl::nearest_position(const Vec3& q, double squared_reach) con
 
 namespace {
 
-// found(position, exact squared distance) for the points in the ball.
+// take(position, exact squared distance) for the points in the ball, in the order of the curve: positions ascend.
 template <class Take>
 void for_each_in_ball(const Octree::Impl& tree, const Vec3& q, double radius, Take take) {
   if (!(radius >= 0)) return;
@@ -178,15 +211,15 @@ void for_each_in_ball(const Octree::Impl& tree, const Vec3& q, double radius, Ta
     if (squared <= squared_radius) take(position, squared);
   };
   if (tree.has_exact_boxes()) {
-    const auto may_hold = [&](double squared, uint32_t) { return squared <= squared_radius; };
-    return measure(tree, q, may_hold, found);
+    const auto meets = [&](const ExactBlock& block, size_t slot) {
+      return squared_distance(block, slot, q) <= squared_radius;
+    };
+    return exact_runs(tree, meets, [&](size_t first, size_t last) {
+      for (size_t i = first; i < last; ++i) found(i, squared_norm(tree.exact_point(i) - q));
+    });
   }
-  walk(tree, q_grid, bound, [&](size_t leaf) { scan_leaf(tree, leaf, q, q_grid, bound, found); });
-}
-
-void sort_by_index(std::vector<Neighbour>& points) {
-  std::sort(points.begin(), points.end(),
-            [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
+  leaves_within(tree, q_grid, limit,
+                [&](size_t leaf) { scan_leaf(tree, leaf, q, q_grid, bound, found); });
 }
 
 }  // namespace
@@ -205,7 +238,8 @@ void Octree::radius(const Vec3& q, double radius, std::vector<Neighbour>& out) c
   for_each_in_ball(*impl_, q, radius, [&](size_t position, double squared) {
     out.push_back({squared, impl_->order[position]});
   });
-  sort_by_index(out);
+  std::sort(out.begin(), out.end(),
+            [](const Neighbour& a, const Neighbour& b) { return a.index < b.index; });
 }
 
 void Octree::radius_positions(const Vec3& q, double radius, std::vector<Neighbour>& out) const {
@@ -213,7 +247,6 @@ void Octree::radius_positions(const Vec3& q, double radius, std::vector<Neighbou
   for_each_in_ball(*impl_, q, radius, [&](size_t position, double squared) {
     out.push_back({squared, static_cast<uint32_t>(position)});
   });
-  sort_by_index(out);
 }
 
 }  // namespace jalon
