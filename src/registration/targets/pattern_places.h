@@ -20,7 +20,8 @@ struct PatternPlace {
 
 /// The whole cloud is looked through at a quarter of the size apart: around each place the plane of
 /// its points, and in it the brightness against the second harmonic about the place (a checker,
-/// however turned) or what is near the place against what is not (a disc).
+/// however turned) or what is near the place against what is not (a disc). Where points are dense, means of cells are
+/// looked at first, and the points only where these show something.
 ///
 /// After: of places less than half a size apart the one most alike; the most alike first. The same
 /// for any number of threads.

@@ -33,6 +33,26 @@ TEST_CASE("pattern_places__lie_near_the_patterns_and_rank_them_first") {
   }
 }
 
+TEST_CASE("pattern_places__lie_about_a_pattern_of_dense_points_and_of_sparse_ones") {
+  // Dense: cells have several points and their means are looked at first; sparse: one.
+  for (const double spacing_m : {0.0025, 0.008})
+    for (const Sheet& sheet : {checker_sheet(0.4, 0.3, 0.4, 0.1), disc_sheet(0.4, 0.3, 0.1)}) {
+      TargetWall wall;
+      wall.width_m = 0.8, wall.height_m = 0.6;
+      wall.spacing_m = spacing_m;
+      wall.sheets = {sheet};
+      const Cloud cloud = scan_of(wall, 3);
+      Task task;
+      const auto places =
+          pattern_places(cloud, *cloud.octree(task), *cloud.fields.find("intensity"), sheet.kind,
+                         0.1, 0.01, 30, task);
+      REQUIRE(!places.empty());
+      CHECK(norm(places[0].place - place_of(wall, sheet)) < 0.025);
+      CHECK(places[0].likeness > 0.5);
+      for (const PatternPlace& p : places) CHECK(norm(p.place - place_of(wall, sheet)) < 0.15);
+    }
+}
+
 TEST_CASE("pattern_places__are_none_on_a_plain_wall") {
   TargetWall wall;
   wall.width_m = 2, wall.height_m = 1.5;
