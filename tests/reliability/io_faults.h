@@ -75,6 +75,7 @@ ssize_t pwrite(int file, const void* from, size_t bytes, off_t at) {
 }
 int fsync(int file) { NAMED(fsync, file); }
 int rename(const char* from, const char* to) { NAMED(rename, from, to); }
+int mkdir(const char* path, mode_t mode) { NAMED(mkdir, path, mode); }
 int access(const char* path, int how) { NAMED(access, path, how); }
 int flock(int file, int how) { NAMED(flock, file, how); }
 int fstat(int file, struct stat* out) { NAMED(fstat, file, out); }

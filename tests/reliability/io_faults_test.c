@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /* Faults of the disk are ordinary errors: in a reading or writing of each format the 1st, 2nd, 3rd ... call to the
  * operating system fails once with EIO or ENOSPC, is interrupted, or transfers half. What is interrupted or short goes
- * on and gives the same bytes; what fails says so in one line, and the old file is whole. By default at most kShallow
- * faults a job, spread over its calls; JALON_FULL=1 takes every one. */
+ * on and gives the same bytes; what fails says so in one line, and the old file is whole, of a format of many files all of
+ * them. By default at most kShallow faults a job, spread over its calls; JALON_FULL=1 takes every one. */
 #include "support.h"
 
 #include "file_jobs.h"
@@ -20,11 +20,23 @@ enum { kShallow = 48 };
 
 static const char old_text[] = "what stood here before\n";
 
+/* A data set that is a folder of its own stands or falls as a whole. */
+static int is_of_many(const io_job* job) { return strchr(job->file, '/') != NULL; }
+
+static void put_old(const io_job* job, const folder_state* whole) {
+  for (int i = 0; i < whole->count; ++i) {
+    const char* const name = whole->files[i].name;
+    if (!is_of_many(job) && strcmp(name, job->file) != 0) continue;
+    if (is_folder_name(name)) make_folder(path_in(folder, name));
+    else write_text(path_in(folder, name), old_text);
+  }
+}
+
 /* The folder before a job: of a writing, the old file or none; of a reading, the whole file. */
 static void put_before(const io_job* job, const folder_state* whole, int with_old) {
   clear_folder(folder);
   if (job->reads) restore_folder(folder, whole);
-  else if (with_old) write_text(path_in(folder, job->file), old_text);
+  else if (with_old) put_old(job, whole);
 }
 
 static jalon_status faulted(const io_job* job, enum fault fault, long at, long* met) {
@@ -43,12 +55,18 @@ static void expect_whole_files(const io_job* job, const folder_state* whole, int
   for (int i = 0; i < now.count; ++i) {
     const file_state* const expected = file_of(whole, now.files[i].name);
     const int is_new = expected != NULL && same_file(expected, &now.files[i]);
-    const int is_old = with_old && strcmp(now.files[i].name, job->file) == 0 &&
-                       now.files[i].bytes == strlen(old_text) &&
+    const int stood = is_of_many(job) || strcmp(now.files[i].name, job->file) == 0;
+    const int is_old = with_old && stood && now.files[i].bytes == strlen(old_text) &&
                        memcmp(now.files[i].data, old_text, now.files[i].bytes) == 0;
     if (!is_new && !(is_old && status != JALON_OK))
       fail_msg("%s: %s is neither old nor whole", what, now.files[i].name);
+    if (is_of_many(job) && !job->reads && status != JALON_OK && !is_old &&
+        !is_folder_name(now.files[i].name))
+      fail_msg("%s: %s is there though it failed", what, now.files[i].name);
   }
+  const int left = job->reads || with_old ? whole->count : 0;
+  if (is_of_many(job) && status != JALON_OK && now.count != left)
+    fail_msg("%s: failed and left %d of %d files", what, now.count, left);
   if (status == JALON_OK && now.count != whole->count)
     fail_msg("%s: succeeded with %d of %d files", what, now.count, whole->count);
   if (with_old && file_of(&now, job->file) == NULL) fail_msg("%s: the old file is gone", what);

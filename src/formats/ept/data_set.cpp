@@ -67,7 +67,11 @@ void DataSet::take_private_folder() {
     remove_unlocked(lock);
     lock_ = create_locked(lock);
     if (lock_ == kNoFile && errno == EEXIST) continue;
-    if (lock_ == kNoFile) refuse(path, "write", system_error_text(errno));
+    if (lock_ == kNoFile) {
+      const std::string cause = system_error_text(errno);
+      fs::remove(path, error);  // not where another writer has its lock in it
+      refuse(path, "write", cause);
+    }
     private_.swap(path);
     for (const fs::directory_entry& left : fs::directory_iterator(private_, error))
       if (left.path().filename() != kLockFile) fs::remove_all(left.path(), error);
