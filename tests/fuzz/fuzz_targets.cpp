@@ -25,6 +25,7 @@ constexpr Target kTargets[] = {
     {"las", cloud<kLas>},
     {"laz", cloud<kLaz>},
     {"copc.laz", read_copc},
+    {"ept", read_ept},
     {"e57", cloud<kE57>, mend_pages},
     {"ply", cloud<kPly>},
     {"ply_model", model<kPly>},

@@ -8,10 +8,15 @@
 
 namespace malformed {
 
+struct Part {
+  std::string name, bytes;
+};
+
 struct File {
   std::string name;  ///< extension included
   std::string bytes;
-  std::string beside = {};  ///< of the file of stations beside it; "" = none
+  std::string beside = {};       ///< of the file of stations beside it; "" = none
+  std::vector<Part> parts = {};  ///< of a data set of many files: names with the folder they are in
 };
 
 /// Files that break rules of their format, always the same ones: cut at every byte of the header,
@@ -35,6 +40,8 @@ std::vector<File> station_files();
 std::vector<File> png_files();
 /// Of our own writer, read by box too; none where the library was built without LAZ.
 std::vector<File> copc_files();
+/// Data sets of EPT, read by box too: an index, the files of the hierarchy and the points.
+std::vector<File> ept_sets();
 /// Damaged files of others, from the folder of shared data; none where that is absent.
 std::vector<File> laz_files();
 /// Our own, of point format 4 ("auto") or 9 ("1.4"); "" where LAZ was not built.

@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <map>
 
 #include <sys/resource.h>
@@ -30,8 +31,10 @@ constexpr bool kSanitized = true;  // shadow memory breaks the limit, and all ta
 constexpr bool kSanitized = false;
 #endif
 
+bool is_set(const malformed::File& file) { return file.name == "ept.json"; }
+
 struct Verdict {
-  int status = 0, model_status = 0;  // the second: as a model, or of COPC a box
+  int status = 0, model_status = 0;  // the second: as a model, or of COPC and EPT a box
   double processor_s = 0;
   bool bad_message = false;
 };
@@ -53,7 +56,13 @@ void limit_memory(size_t file_bytes) {
   ::setrlimit(RLIMIT_AS, &limit);
 }
 
-bool good_message(const std::string& path) {
+bool has_boxes(const malformed::File& file) {
+  return is_set(file) || file.name.ends_with(".copc.laz");
+}
+
+// Of a data set the file that is wrong, which lies beside the index.
+bool good_message(std::string path) {
+  if (path.ends_with("/ept.json")) path.resize(path.rfind('/'));
   const char* text = jalon_last_error_message();
   return *text != 0 && std::strchr(text, '\n') == nullptr &&
          std::strstr(text, path.c_str()) != nullptr;
@@ -61,6 +70,7 @@ bool good_message(const std::string& path) {
 
 // Read as clouds these are always unsupported.
 bool holds_model(const malformed::File& file) {
+  if (is_set(file)) return false;
   for (const char* extension : {".obj", ".stl", ".json", ".dxf"})
     if (file.name.ends_with(extension)) return true;
   return false;
@@ -73,21 +83,46 @@ void spill(const std::string& path, const std::string& bytes) {
   std::fclose(out);
 }
 
-Verdict judge(const malformed::File& file, const std::string& folder, jalon_task* task) {
+// The path to be read.
+std::string spill_set(const malformed::File& file, const std::string& folder) {
+  const std::string set = folder + "/set/";
+  std::filesystem::remove_all(set);
+  std::filesystem::create_directories(set);
+  spill(set + file.name, file.bytes);
+  for (const malformed::Part& part : file.parts) {
+    std::filesystem::create_directories(std::filesystem::path(set + part.name).parent_path());
+    spill(set + part.name, part.bytes);
+  }
+  return set + file.name;
+}
+
+std::string spill_file(const malformed::File& file, const std::string& folder) {
+  if (is_set(file)) return spill_set(file, folder);
   const std::string path = folder + "/" + file.name;
   const std::string beside = path.substr(0, path.rfind('.')) + ".stations.json";
   spill(path, file.bytes);
   if (!file.beside.empty()) spill(beside, file.beside);
   else std::remove(beside.c_str());
+  return path;
+}
+
+size_t bytes_of(const malformed::File& file) {
+  size_t bytes = file.bytes.size() + file.beside.size();
+  for (const malformed::Part& part : file.parts) bytes += part.bytes.size();
+  return bytes;
+}
+
+Verdict judge(const malformed::File& file, const std::string& folder, jalon_task* task) {
+  const std::string path = spill_file(file, folder);
   Verdict verdict;
-  limit_memory(file.bytes.size() + file.beside.size());
+  limit_memory(bytes_of(file));
   const std::clock_t start = std::clock();
   jalon_cloud* cloud = nullptr;
   verdict.status = jalon_cloud_read(path.c_str(), nullptr, task, &cloud);
   verdict.bad_message = (verdict.status != JALON_OK && !good_message(path)) ||
                         (verdict.status == JALON_OK) != (cloud != nullptr);
   jalon_cloud_release(cloud);
-  if (file.name.ends_with(".copc.laz")) {
+  if (has_boxes(file)) {
     cloud = nullptr;
     const double box[6] = {1, -1, 1, 3, 1, 3};
     jalon_params* options = nullptr;
@@ -163,10 +198,11 @@ class Run {
   }
 
   void note(const malformed::File& file, size_t index, const Verdict& verdict) {
-    ++statuses_[holds_model(file) || file.name.ends_with(".copc.laz") ? verdict.model_status
-                                                                      : verdict.status];
+    ++statuses_[holds_model(file) || has_boxes(file) ? verdict.model_status : verdict.status];
     slowest_s_ = std::max(slowest_s_, verdict.processor_s);
-    const auto allowed = [](int status) {
+    const auto allowed = [&file](int status) {
+      if (is_set(file) && (status == JALON_ERROR_NOT_FOUND || status == JALON_ERROR_IO))
+        return true;
       return status == JALON_OK || status == JALON_ERROR_FORMAT ||
              status == JALON_ERROR_UNSUPPORTED || status == JALON_ERROR_LIMIT;
     };
@@ -201,6 +237,7 @@ int main() {
                        run.read_all("PTX", malformed::ptx_files(), 300),
                        run.read_all("PTS", malformed::pts_files(), 100),
                        run.read_all("PCD", malformed::pcd_files(), 300),
+                       run.read_all("EPT", malformed::ept_sets(), 500),
                        run.read_all("of stations", malformed::station_files(), 1000)};
   size_t skipped = 0, failed_of_others = 0, passed_of_others = 0;
   for (const auto& [format, files] :

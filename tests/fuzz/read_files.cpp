@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 // Files of clouds, models and trajectories, and those that stand beside them.
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "e57_page.h"
@@ -18,11 +19,25 @@ jalon_params* with_text(const char* operation, const char* name, const char* val
   return options;
 }
 
-void cloud_from(const std::string& path, const jalon_params* options = nullptr) {
+void read_from(const std::string& path, const jalon_params* options) {
   jalon_cloud* cloud = nullptr;
   succeeds(jalon_cloud_read(path.c_str(), options, one_thread(), &cloud));
   jalon_cloud_release(cloud);
+}
+
+void cloud_from(const std::string& path, const jalon_params* options = nullptr) {
+  read_from(path, options);
   ::unlink(path.c_str());
+}
+
+const jalon_params* small_box() {
+  constexpr double kBox[6] = {-1, -1, -1, 1, 1, 1};
+  static jalon_params* options = nullptr;
+  if (options == nullptr) {
+    must(jalon_params_create("read", &options));
+    must(jalon_params_set_doubles(options, "box", kBox, 6));
+  }
+  return options;
 }
 
 void trajectory_from(const std::string& path, const char* sigma_path = nullptr) {
@@ -39,14 +54,27 @@ void read_cloud(const char* extension, const uint8_t* data, size_t size) {
 }
 
 void read_copc(const uint8_t* data, size_t size) {
-  constexpr double kBox[6] = {-1, -1, -1, 1, 1, 1};
-  static jalon_params* options = nullptr;
-  if (options == nullptr) {
-    must(jalon_params_create("read", &options));
-    must(jalon_params_set_doubles(options, "box", kBox, 6));
-  }
   read_cloud("copc.laz", data, size);
-  cloud_from(file_with("copc.laz", data, size), options);
+  cloud_from(file_with("copc.laz", data, size), small_box());
+}
+
+void read_ept(const uint8_t* data, size_t size) {
+  static const char* const names[] = {"ept/ept.json", "ept/ept-hierarchy/0-0-0-0.json",
+                                      "ept/ept-hierarchy/1-0-0-0.json", "ept/ept-data/0-0-0-0.bin",
+                                      "ept/ept-data/1-0-0-0.bin"};
+  for (const char* const folder : {"ept", "ept/ept-hierarchy", "ept/ept-data"})
+    ::mkdir(place_of(folder).c_str(), 0777);
+  std::string index;
+  for (const char* const name : names) {
+    const std::string text = take_text(data, size, '\0');
+    const std::string path = file_with(name, text.data(), text.size());
+    if (index.empty()) index = path;
+  }
+  read_from(index, nullptr);
+  read_from(index, small_box());
+  for (const char* const name : names) ::unlink(place_of(name).c_str());
+  for (const char* const folder : {"ept/ept-data", "ept/ept-hierarchy", "ept"})
+    ::rmdir(place_of(folder).c_str());
 }
 
 void read_model(const char* extension, bool as_faces, const uint8_t* data, size_t size) {

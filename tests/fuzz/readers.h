@@ -13,6 +13,9 @@ void read_cloud(const char* extension, const uint8_t* data, size_t size);
 void read_model(const char* extension, bool as_faces, const uint8_t* data, size_t size);
 /// Whole, and by the nodes that a box touches.
 void read_copc(const uint8_t* data, size_t size);
+/// Whole, and by the nodes that a box touches. Behind zero bytes one after another: the file of the hierarchy's root,
+/// that of the node 1-0-0-0, the points of both.
+void read_ept(const uint8_t* data, size_t size);
 /// The first line is the option "columns" for the text behind it.
 void read_text_columns(const uint8_t* data, size_t size);
 /// Of eight points in a file beside it.

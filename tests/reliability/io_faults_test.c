@@ -2,8 +2,8 @@
  * SPDX-License-Identifier: Apache-2.0 */
 /* Faults of the disk are ordinary errors: in a reading or writing of each format the 1st, 2nd, 3rd ... call to the
  * operating system fails once with EIO or ENOSPC, is interrupted, or transfers half. What is interrupted or short goes
- * on and gives the same bytes; what fails says so in one line, and the old file is whole, of a format of many files all of
- * them. By default at most kShallow faults a job, spread over its calls; JALON_FULL=1 takes every one. */
+ * on and gives the same bytes; what fails says so in one line, and the old file is whole, of a format of many files
+ * all of them. By default at most kShallow faults a job, spread over its calls; JALON_FULL=1 takes every one. */
 #include "support.h"
 
 #include "file_jobs.h"

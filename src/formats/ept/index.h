@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/field.h"
-#include "base/json_reader.h"
+#include "base/json_cursor.h"
 #include "base/task.h"
 #include "formats/files/byte_source.h"
 #include "formats/files/told_stations.h"
@@ -39,8 +39,20 @@ struct Index {
   ToldStations stations;
 };
 
-/// The JSON of a file; Error(kFormat) where it is none or above 16 MiB.
-std::vector<JsonValue> json_of(const ByteSource& source);
+/// The JSON of a file, walked through and never held as values: 16 MiB of them would take a gibibyte. Whatever is not
+/// as asked for is Error(kFormat) with path and byte, as is a file above 16 MiB.
+class JsonFile : public JsonListener {
+ public:
+  JsonFile(const ByteSource& source, Task& task);
+  JsonCursor cursor() const { return {text_, *this}; }
+  void refuse(uint64_t byte, const char* expected) const override;
+  void tick() const override { task_.checkpoint(0); }
+
+ private:
+  const ByteSource& source_;
+  Task& task_;
+  std::string text_;
+};
 /// Error(kUnsupported) of points or hierarchies that are compressed, Error(kFormat) of what cannot be.
 Index read_index(const ByteSource& source, Task& task);
 

@@ -10,6 +10,7 @@
 
 #include "formats/ept/data_set.h"
 #include "formats/ept/hierarchy.h"
+#include "formats/files/utf8.h"
 
 namespace jalon::ept {
 
@@ -31,7 +32,9 @@ std::optional<las::CopcKey> key_of(const std::string& name) {
   if (at != end || cell[0] > las::kMostCopcLevel - 1) return std::nullopt;
   for (size_t k = 1; k < cell.size(); ++k)
     if (cell[k] >> cell[0] != 0) return std::nullopt;
-  return las::CopcKey{cell[0], cell[1], cell[2], cell[3]};
+  const las::CopcKey key{cell[0], cell[1], cell[2], cell[3]};
+  if (name_of(key) != name) return std::nullopt;  // "00", "-0"
+  return key;
 }
 
 // A step of rounding wider than the cell: the points on its faces are told by others' arithmetic.
@@ -67,26 +70,31 @@ class Walk {
 
  private:
   void read_file(const std::string& name, std::vector<std::string>& files) {
-    const ByteSource file(file_beside(source_.path(), kHierarchyFolder, name + ".json"));
-    const std::vector<JsonValue> json = json_of(file);
-    if (json.front().kind != JsonValue::Kind::kObject) file.refuse(0, "no object of nodes");
-    for (const JsonValue& node : JsonChildren(json.front())) {
-      const auto key = key_of(node.name);
-      if (!key || node.kind != JsonValue::Kind::kInteger || node.integer < -1)
-        file.refuse(0, "\"%.60s\" is no node of an octree", node.name.c_str());
+    const ByteSource source(file_beside(source_.path(), kHierarchyFolder, name + ".json"));
+    const JsonFile file(source, task_);
+    JsonCursor json = file.cursor();
+    json.begin_object();
+    for (std::string node; json.next_member(node);) {
+      const auto key = key_of(node);
+      const int64_t points = json.integer();
+      if (!key || points < -1)
+        source.refuse(json.byte(), "\"%.60s\" is no node of an octree",
+                      name_from_file(node, "node").c_str());
       if (key->level > most_level_ || !touches(index_, *key, box_)) continue;
-      if (node.integer == -1) {
-        if (node.name == name) file.refuse(0, "the node %s is in its own file", name.c_str());
-        if (!opened_.try_emplace(node.name).second)
-          file.refuse(0, "the file of the node %s comes twice", node.name.c_str());
-        files.push_back(node.name);
+      if (points == -1) {
+        if (node == name)
+          source.refuse(json.byte(), "the node %s is in its own file", name.c_str());
+        if (!opened_.try_emplace(node).second)
+          source.refuse(json.byte(), "the file of the node %s comes twice", node.c_str());
+        files.push_back(node);
       } else if (!found_
                       .try_emplace({key->level, key->x, key->y, key->z},
-                                   static_cast<uint64_t>(node.integer))
+                                   static_cast<uint64_t>(points))
                       .second) {
-        file.refuse(0, "the node %s comes twice", node.name.c_str());
+        source.refuse(json.byte(), "the node %s comes twice", node.c_str());
       }
     }
+    json.end();
   }
 
   const ByteSource& source_;

@@ -59,6 +59,6 @@ TEST_CASE("ept_index__what_cannot_be_is_refused_and_what_is_compressed_is_named"
         index_of(kXyz, ",\"bounds\":[0,0,0,0,0,0]"), index_of(kXyz, ",\"span\":0")}) {
     CAPTURE(bad);
     CHECK(refusal(bad).status == Status::kFormat);
-    CHECK(has_text(refusal(bad).text, "ept.json: offset 0: "));
+    CHECK(has_text(refusal(bad).text, "ept.json: offset "));
   }
 }

@@ -23,15 +23,19 @@ TEST_CASE("ept_nodes__hierarchies_that_lie_are_refused_with_their_file") {
   const Lie lies[] = {{"{\"0-0-0-0\":99}", "points"},
                       {"{\"0-0-0-0\":100000000000000}", "points"},
                       {"{\"0-0-0-0\":-2}", "no node"},
-                      {"{\"0-0-0-0\":1.5}", "no node"},
+                      {"{\"0-0-0-0\":1.5}", "whole number"},
                       {"{\"0-0-0-0\":100,\"0-0-0-0\":100}", "twice"},
                       {"{\"0-0-0-0\":-1}", "its own file"},
                       {"{\"0-0-0-0\":100,\"1-2-0-0\":1}", "no node"},
                       {"{\"0-0-0-0\":100,\"1-0-0-0/../../x\":1}", "no node"},
                       {"{\"0-0-0-0\":100,\"99-0-0-0\":1}", "no node"},
                       {"{\"0-0-0-0\":100,\"1--1-0-0\":1}", "no node"},
-                      {"[1]", "no object"},
-                      {"nonsense", "JSON"}};
+                      {"{\"0-0-0-0\":100,\"1-0-0-00\":1}", "no node"},
+                      {"{\"0-0-0-0\":100,\"1--0-0-0\":1}", "no node"},
+                      {"{\"0-0-0-0\":100,\"a\\nb\":1}", "no node"},
+                      {"[1]", "an object"},
+                      {"nonsense", "an object"},
+                      {"{\"0-0-0-0\":100}x", "offset 15"}};
   for (const Lie& lie : lies) {
     CAPTURE(lie.text);
     const EptFolder set(cloud);
@@ -40,6 +44,7 @@ TEST_CASE("ept_nodes__hierarchies_that_lie_are_refused_with_their_file") {
     CHECK(failure.status == Status::kFormat);
     CHECK_MESSAGE(has_text(failure.text, lie.words), failure.text);
     CHECK(has_text(failure.text, "ept-"));
+    CHECK(!has_text(failure.text, "\n"));
   }
 }
 
