@@ -150,7 +150,24 @@ if [ -n "${JALON_FULL:-}" ]; then
 fi
 # orthoimages FOLDER SCAN OPTION ...: fills the folder with those of a scan and its model's GeoPackage.
 orthoimages() { "$build/src/jalon" facade "${@:2}" -o "$1" --quiet --orthoimage both --viewer-points 0; }
-# GeoPackage and GeoTIFF by Debian's GDAL, in the long run too: pyogrio has neither validate_gpkg nor GDAL's Python.
+# depths FOLDER SCAN: fills the folder with the scan as text, a depth map of each of its stations and a depth image.
+depths() {
+  "$build/src/jalon" convert --quiet "$2" "$1/scan.xyz" && "$build/src/jalon" convert --quiet "$2" "$1/front.png" &&
+    "$build/src/jalon" compare --quiet "$2" "$2" -o "$1" --depth-maps --viewer-points 0
+}
+# without_a_word TOOL FILE ...: GDAL's own tools read each file whole and have nothing to say of it.
+without_a_word() {
+  local tool=("$1") file
+  [ "$1" = gdalinfo ] && tool+=(-checksum -stats --config GDAL_PAM_ENABLED NO) || tool+=(-ro -al)
+  for file in "${@:2}"; do
+    if "${tool[@]}" "$file" >/dev/null 2>"$work/words" && [ ! -s "$work/words" ]; then
+      passed=$((passed + 1)); echo "ok - $1 reads ${file#"$work/"}"
+    else
+      failed=$((failed + 1)); echo "not ok - $1 reads ${file#"$work/"}"; head -n 3 "$work/words"
+    fi
+  done
+}
+# GeoPackage, GeoTIFF and depths by Debian's GDAL, in the long run too: pyogrio has neither validate_gpkg nor GDAL's Python.
 if [ -n "${JALON_FULL:-}" ]; then
   . "$here/../../examples/packages.sh"
   need_packages gdal-bin python3-gdal >>"$log" 2>&1
@@ -166,6 +183,17 @@ if [ -n "${JALON_FULL:-}" ]; then
       count "GeoTIFF of $name" /usr/bin/python3 "$here/check_tiff.py" "$name" "$work/$name"
       count "images of $name" "$python" "$here/check_images.py" "$name" "$work/$name"
     done
+    for name in facade arches; do
+      mkdir "$work/depths_$name" && depths "$work/depths_$name" "$work/$name.las" ||
+        { failed=$((failed + 1)); echo "not ok - $name: no depths"; continue; }
+      count "depths of $name" /usr/bin/python3 "$here/check_depths.py" "$name" "$work/depths_$name"
+    done
+    if command -v gdalinfo >/dev/null && command -v ogrinfo >/dev/null; then
+      without_a_word gdalinfo "$work"/{distances,colours}/orthoimage*.{png,tif} "$work"/depths_*/{depth_*.{png,tif},front.png}
+      without_a_word ogrinfo "$work"/{house,facade,arches,solids,outlines}/model.gpkg "$work"/depths_*/regions.geojson
+    else
+      miss gdal-bin
+    fi
   else
     miss python3-gdal
   fi
