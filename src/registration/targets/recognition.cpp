@@ -33,6 +33,9 @@ constexpr double kAskew =
     0.3;  // of the depth of what is around: so much a border may be off, seen askew
 constexpr double kSameDirection = 0.95, kSameFacade_m = 0.3;  // cosine; depth of reveals
 constexpr double kSamePlace = 0.6;  // of a size: nearer centres are readings of one pattern
+// Of a size: what is smaller and farther from the centre is a part of the pattern, not another reading of it. A quadrant of a
+// checker lies 0.35 from its centre, and the disc that it can be read as says nothing against the checker; this is half of it.
+constexpr double kSameCentre = 0.18;
 // Readings whose confidences differ by less than this factor stand for each other.
 constexpr double kAlikeReadings = 0.5;
 
@@ -131,12 +134,18 @@ std::vector<RecognisedTarget> best_readings(std::vector<RecognisedTarget> all) {
   });
   std::vector<RecognisedTarget> out;
   for (RecognisedTarget& reading : all) {
-    const auto same = std::find_if(out.begin(), out.end(), [&](const RecognisedTarget& o) {
-      return norm(o.centre() - reading.centre()) < kSamePlace * std::max(o.size_m, reading.size_m);
-    });
-    if (same == out.end()) out.push_back(reading);
-    else if (same->measured.kind != reading.measured.kind &&
-             reading.pattern_confidence > kAlikeReadings * same->pattern_confidence)
+    const auto apart = [&](const RecognisedTarget& o) {
+      return norm(o.centre() - reading.centre()) / std::max(o.size_m, reading.size_m);
+    };
+    const auto same = std::find_if(
+        out.begin(), out.end(), [&](const RecognisedTarget& o) { return apart(o) < kSamePlace; });
+    if (same == out.end()) {
+      out.push_back(reading);
+      continue;
+    }
+    const bool is_part = reading.size_m < same->size_m && apart(*same) > kSameCentre;
+    if (same->measured.kind != reading.measured.kind && !is_part &&
+        reading.pattern_confidence > kAlikeReadings * same->pattern_confidence)
       same->verdict = TargetVerdict::kAmbiguous;
   }
   return out;
