@@ -33,8 +33,9 @@ constexpr double kAskew =
     0.3;  // of the depth of what is around: so much a border may be off, seen askew
 constexpr double kSameDirection = 0.95, kSameFacade_m = 0.3;  // cosine; depth of reveals
 constexpr double kSamePlace = 0.6;  // of a size: nearer centres are readings of one pattern
-// Of a size: what is smaller and farther from the centre is a part of the pattern, not another reading of it. A quadrant of a
-// checker lies 0.35 from its centre, and the disc that it can be read as says nothing against the checker; this is half of it.
+// Of a size: what is smaller and farther from the centre is a part of the pattern, not another reading of it.
+// A quadrant of a checker lies 0.35 from its centre, and the disc that it can be read as says nothing against the
+// checker; this is half of it.
 constexpr double kSameCentre = 0.18;
 // Readings whose confidences differ by less than this factor stand for each other.
 constexpr double kAlikeReadings = 0.5;
