@@ -4,7 +4,8 @@
 // Targets recognised on walls among posters, tiles, windows, signs, squares and stripes: how many of those put up are
 // found, with which code, how well their centres and confidences stand for themselves, and what is taken for one. The
 // constants were chosen with kDevelopedWalls and seeds from 0; figures are of kReportedWalls and seeds from 1000. The
-// short form reports one scan of a kind, JALON_FULL=1 all.
+// short form reports one scan of a kind, JALON_FULL=1 all: there 113 false alarms on 60 scans (2026-11-27) are more
+// than is asked, and the last line of the first test fails.
 #include <doctest/doctest.h>
 
 #include <cstdlib>

@@ -9,11 +9,11 @@
 #include <cmath>
 
 #include "change_scenes.h"
-#include "compare/changes/diagnosis.h"
-#include "compare/distance/distance.h"
+#include "diagnosed.h"
 #include "recipe.h"
 
-using namespace jalon;
+namespace jalon::tower_stations_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -70,13 +70,8 @@ CloudPtr tower_scan(const TriangleScene& scene, double step_rad, uint64_t seed) 
   return std::make_shared<const Cloud>(scan_static(scene.model(), stations, scanner, task));
 }
 
-Diagnosis tower_changes(const CloudPtr& before, const CloudPtr& after) {
-  Task task;
-  DistanceSettings settings;
-  settings.detection = true;
-  settings.visibility = DistanceSettings::VisibleFrom::kStations;
-  return diagnose(compare_distance(before, after, settings, task),
-                  compare_distance(after, before, settings, task), {}, task);
+Diagnosis changes_between(const CloudPtr& before, const CloudPtr& after) {
+  return diagnosed(before, after, DistanceSettings::VisibleFrom::kStations);
 }
 
 }  // namespace
@@ -86,7 +81,8 @@ TEST_CASE("tower__from_seven_stations_has_its_belly_as_the_largest_change_and_no
   const CloudPtr before = tower_scan(shell(0), step_rad, 1),
                  again = tower_scan(shell(0), step_rad, 2),
                  bellied = tower_scan(shell(kBelly_m), step_rad, 3);
-  const Diagnosis nothing = tower_changes(before, again), found = tower_changes(before, bellied);
+  const Diagnosis nothing = changes_between(before, again),
+                  found = changes_between(before, bellied);
   MESSAGE("FIGURE tower of " << before->size() << " points from " << before->stations.size()
                              << " stations: " << nothing.changes.size()
                              << " changes where there is none, " << found.changes.size()
@@ -106,3 +102,5 @@ TEST_CASE("tower__from_seven_stations_has_its_belly_as_the_largest_change_and_no
   const Vec3 belly{r * std::cos(kBellyAngle), r * std::sin(kBellyAngle), kBellyAt_m};
   CHECK(norm(middle - belly) < kBellyWide_m / 2);
 }
+
+}  // namespace jalon::tower_stations_test

@@ -9,12 +9,12 @@
 #include <cmath>
 
 #include "change_scenes.h"
-#include "compare/changes/diagnosis.h"
-#include "compare/distance/distance.h"
+#include "diagnosed.h"
 #include "recipe.h"
 #include "seed_range.h"
 
-using namespace jalon;
+namespace jalon::uneven_stations_test {
+
 using namespace jalon::test;
 
 namespace {
@@ -89,13 +89,8 @@ CloudPtr without_stations(const CloudPtr& cloud) {
   return out;
 }
 
-Diagnosis diagnosed(const CloudPtr& before, const CloudPtr& after) {
-  Task task;
-  DistanceSettings settings;
-  settings.detection = true;
-  settings.visibility = DistanceSettings::VisibleFrom::kFound;
-  return diagnose(compare_distance(before, after, settings, task),
-                  compare_distance(after, before, settings, task), {}, task);
+Diagnosis changes_between(const CloudPtr& before, const CloudPtr& after) {
+  return diagnosed(before, after, DistanceSettings::VisibleFrom::kFound);
 }
 
 // Most of a change's changed points are the thing's.
@@ -133,9 +128,9 @@ TEST_CASE("uneven_stations__no_shadow_is_a_change_where_densities_differ_tenfold
   size_t runs = 0, quiet = 0, quiet_found = 0;
   for (uint64_t seed = seeds.first; seed <= seeds.last; ++seed, ++runs) {
     const UnevenEpochs scans = epochs_of(seed, false);
-    quiet += diagnosed(scans.before, scans.after).changes.empty() ? 1 : 0;
+    quiet += changes_between(scans.before, scans.after).changes.empty() ? 1 : 0;
     const Diagnosis found =
-        diagnosed(without_stations(scans.before), without_stations(scans.after));
+        changes_between(without_stations(scans.before), without_stations(scans.after));
     quiet_found += found.changes.empty() ? 1 : 0;
   }
   MESSAGE("FIGURE three stations, densities 1 : 10, unchanged: no change in "
@@ -151,7 +146,7 @@ TEST_CASE("uneven_stations__what_came_and_went_is_found_and_nothing_else") {
   UnevenTally all;
   for (uint64_t seed = seeds.first; seed <= seeds.last; ++seed, ++runs) {
     const UnevenEpochs scans = epochs_of(seed, true);
-    const UnevenTally one = tally_of(diagnosed(scans.before, scans.after));
+    const UnevenTally one = tally_of(changes_between(scans.before, scans.after));
     all.right += one.right, all.others += one.others;
   }
   MESSAGE("FIGURE three stations, densities 1 : 10, one box gone and one come: "
@@ -160,3 +155,5 @@ TEST_CASE("uneven_stations__what_came_and_went_is_found_and_nothing_else") {
   CHECK(static_cast<double>(all.right) >= kFoundRight * 2 * static_cast<double>(runs));
   CHECK(all.others == 0);
 }
+
+}  // namespace jalon::uneven_stations_test

@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 
+#include "compare/changes/object_shape.h"
+
 namespace jalon {
 
 namespace {
@@ -13,7 +15,6 @@ namespace {
 constexpr size_t kBesideSample =
     200;  // points of a change that are asked for what lies beside them
 constexpr uint32_t kBesideNeighbours = 24;
-constexpr uint32_t kOtherNeighbours = 12;
 constexpr size_t kLeastBorderPoints = 5;  // of the changed ones beside a border point, for a plane
 constexpr double kUnsureBorders = 5;      // of few border points nothing is sure
 
@@ -21,15 +22,6 @@ constexpr double kUnsureBorders = 5;      // of few border points nothing is sur
 Vec3 normal_of(const Moments& moments) {
   PlaneFit fit;
   return moments.n >= kLeastBorderPoints && fit_plane(moments, fit) ? fit.plane.normal : Vec3{};
-}
-
-Vec3 normal_about(const Cloud& cloud, const Octree& tree, const Vec3& place) {
-  std::array<Neighbour, kOtherNeighbours> found;
-  const size_t n = tree.knn(place, kOtherNeighbours, found);
-  Moments moments;
-  moments.reference = place;
-  for (size_t j = 0; j < n; ++j) moments.add(cloud.point(found[j].index));
-  return normal_of(moments);
 }
 
 }  // namespace
@@ -68,8 +60,8 @@ void add_beside(const Epoch& epoch, const Epoch& other, const std::vector<uint32
     ++out.borders;
     const uint32_t nearest = epoch.nearest(points[k]);
     if (nearest == kNoPoint || !(std::abs(distance[points[k]]) <= near_m)) continue;
-    out.along += std::abs(dot(normal_of(changed), normal_about(other.cloud(), *other_tree,
-                                                               other.cloud().point(nearest))));
+    out.along += std::abs(dot(normal_of(changed), surface_normal_at(*other_tree, other.cloud(),
+                                                                    other.cloud().point(nearest))));
   }
 }
 

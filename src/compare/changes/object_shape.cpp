@@ -32,17 +32,6 @@ Cell cell_at(const Vec3& p, double cell_m) {
           static_cast<int64_t>(std::floor(p.z / cell_m))};
 }
 
-// Normal of the local plane at a point of a cloud; zero where there is none.
-Vec3 normal_at(const Octree& tree, const Cloud& cloud, const Vec3& p) {
-  std::array<Neighbour, kPlaneNeighbours> found;
-  const size_t n = tree.knn(p, kPlaneNeighbours, found);
-  Moments moments;
-  moments.reference = p;
-  for (size_t k = 0; k < n; ++k) moments.add(cloud.point(found[k].index));
-  PlaneFit fit;
-  return fit_plane(moments, fit) ? fit.plane.normal : Vec3{};
-}
-
 bool touches(const std::set<Cell>& cells, const Cell& at) {
   for (int64_t x = -1; x <= 1; ++x)
     for (int64_t y = -1; y <= 1; ++y)
@@ -110,6 +99,16 @@ bool is_rim(const Epoch& epoch, const ChangeRegion& region, const std::set<Cell>
 
 }  // namespace
 
+Vec3 surface_normal_at(const Octree& tree, const Cloud& cloud, const Vec3& place) {
+  std::array<Neighbour, kPlaneNeighbours> found;
+  const size_t n = tree.knn(place, kPlaneNeighbours, found);
+  Moments moments;
+  moments.reference = place;
+  for (size_t k = 0; k < n; ++k) moments.add(cloud.point(found[k].index));
+  PlaneFit fit;
+  return fit_plane(moments, fit) ? fit.plane.normal : Vec3{};
+}
+
 void drop_shadow_rims(Epoch& epoch, double threshold_m, double cell_m) {
   const std::set<Cell> hidden = hidden_cells(epoch, cell_m);
   std::vector<ChangeRegion> kept;
@@ -143,8 +142,9 @@ BorderOfChange border_of_change(const Epoch& epoch, const Epoch& other,
     if (epoch.regions.labels[i] == 0 || !unchanged.are_beside(epoch.local(i), reach_m)) continue;
     ++out.points;
     if (epoch.nearest(i) == kNoPoint) continue;
-    const Vec3 here = normal_at(*tree, epoch.cloud(), epoch.cloud().point(i));
-    const Vec3 there = normal_at(*other_tree, other.cloud(), other.cloud().point(epoch.nearest(i)));
+    const Vec3 here = surface_normal_at(*tree, epoch.cloud(), epoch.cloud().point(i));
+    const Vec3 there =
+        surface_normal_at(*other_tree, other.cloud(), other.cloud().point(epoch.nearest(i)));
     if (std::abs(dot(here, there)) > kParallel) out.parallel_m.push_back(std::abs(distance[i]));
   }
   return out;

@@ -5,8 +5,12 @@
 #include <vector>
 
 #include "compare/changes/change_objects.h"
+#include "spatial/octree/octree.h"
 
 namespace jalon {
+
+/// Normal of the local plane at a place of a cloud; zero where there is none.
+Vec3 surface_normal_at(const Octree& tree, const Cloud& cloud, const Vec3& place);
 
 /// How a change meets the unchanged part of the same object.
 struct BorderOfChange {

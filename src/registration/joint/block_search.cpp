@@ -25,9 +25,7 @@ double square(double v) { return v * v; }
 
 // Of a point off its wall, blocks aside.
 double rest_m(const JointPoints& points, const JointSettings& settings) {
-  double sum = 0;
-  for (const auto& c : points.plan_covariance_m2) sum += (c[0] + c[2]) / 2;
-  return std::sqrt(sum / static_cast<double>(points.size()) + square(settings.sigma_facade_m) +
+  return std::sqrt(points.mean_plan_variance_m2() + square(settings.sigma_facade_m) +
                    square(settings.sigma_strip_m));
 }
 

@@ -80,6 +80,12 @@ void choose_points(const Cloud& cloud, std::vector<uint32_t> index, const JointS
 
 }  // namespace
 
+double JointPoints::mean_plan_variance_m2() const {
+  double sum = 0;
+  for (const auto& c : plan_covariance_m2) sum += (c[0] + c[2]) / 2;
+  return sum / static_cast<double>(size());
+}
+
 JointPoints joint_points(const Cloud& cloud, const Trajectory& trajectory,
                          std::span<const double> control_times_s, const JointSettings& settings,
                          Task& task) {

@@ -26,6 +26,8 @@ struct JointPoints {
   uint64_t outside = 0;      ///< points of the cloud without a place in time
 
   size_t size() const { return index.size(); }
+  /// Of a coordinate in the plan, over all points.
+  double mean_plan_variance_m2() const;
 };
 
 /// Of the points within the trajectory, one a cube of thin_m, those that look like a vertical wall.

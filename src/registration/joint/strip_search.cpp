@@ -21,9 +21,7 @@ constexpr double kBehind_m = 20;
 double plus_squares(double v, double more) { return v + more * more; }
 
 double sure_part_m(const JointPoints& points, const JointSettings& settings) {
-  double sum = 0;
-  for (const auto& c : points.plan_covariance_m2) sum += (c[0] + c[2]) / 2;
-  double variance = sum / static_cast<double>(points.size());
+  double variance = points.mean_plan_variance_m2();
   variance = plus_squares(variance, settings.sigma_facade_m);
   variance = plus_squares(variance, settings.sigma_block_x_m);
   return std::sqrt(plus_squares(variance, settings.sigma_block_y_m));
