@@ -64,9 +64,10 @@ Segmentation segment_ransac(const CloudPtr& cloud, const RansacSettings& setting
   {
     ProgressSpan span(task, 0.85, 0.95, "sharing out points");
     if (scene.settings.connectivity) merge_coplanar(scene, surfaces, task);
-    share_out_points(scene, surfaces, task);
+    Assignment assignment;
+    share_out_points(scene, surfaces, assignment, task);
     if (scene.settings.connectivity && merge_layers(scene, surfaces, task))
-      share_out_points(scene, surfaces, task);
+      share_out_points(scene, surfaces, assignment, task);
     drop_other_classes(scene, surfaces);
   }
   ProgressSpan span(task, 0.95, 1, "last fit");

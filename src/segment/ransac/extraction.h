@@ -19,6 +19,14 @@ struct Surface {
   double pixel_m = 0;
   std::vector<uint32_t> positions;  ///< in the octree's order
 
+  /// What the rounds of sharing out points know of it.
+  struct Sharing {
+    static constexpr size_t kAll = ~size_t{0};
+    uint32_t number = 0;  ///< as owner in the last round; 0 = it was in none
+    bool fresh = true;    ///< plane or points are not those of that round
+    size_t moved = kAll;  ///< points that came or went since its plane was fitted
+  } sharing = {};
+
   bool is_plane() const { return !curved.exists(); }
 };
 

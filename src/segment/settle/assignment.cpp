@@ -3,6 +3,7 @@
 #include "segment/settle/assignment.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -23,7 +24,9 @@ constexpr double kLeastSigma =
     0.04;  // of the tolerance: noise-free planes do not pull points from noisy ones
 constexpr double kLeastArea_m2 = 1e-6;
 
-struct Patch {
+}  // namespace
+
+struct Assignment::Patch {
   Plane plane;
   Curved curved;  ///< instead of the plane, where it exists
   double core_m = 0;
@@ -45,7 +48,19 @@ struct Patch {
     return curved.exists() ? curved_inconsistent(scene, curved, position)
                            : scene.inconsistent(position, plane.normal, min_cosine);
   }
+  /// What may_reach() asks for.
+  Patch outline() const {
+    Patch out;
+    out.plane = plane;
+    out.curved = curved;
+    out.box = box;
+    return out;
+  }
 };
+
+namespace {
+
+using Patch = Assignment::Patch;
 
 // The surface's pixels, and the box of its points.
 Raster image_of(const SegmentScene& scene, const Surface& surface, Patch& patch, Task& task) {
@@ -165,29 +180,132 @@ void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, T
   });
 }
 
-void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  std::vector<Patch> patches(surfaces.size());
-  for_each_surface(surfaces, task,
-                   [&](size_t i) { patches[i] = patch_of(scene, surfaces[i], task); });
-  const double min_cosine = scene.min_cosine();
-  const double reach_m =
-      scene.settings.distance_tolerance_m + kReachSlack * scene.tree->cube().edge;
-  parallel_for(task, scene.size(), kAssignmentPointsPerChunk, [&](size_t begin, size_t end) {
-    std::vector<uint32_t> near_chunk, near;
-    const Box3 chunk = box_of(scene, begin, end);
-    for (uint32_t k = 0; k < patches.size(); ++k)
-      if (may_reach(chunk, patches[k], reach_m)) near_chunk.push_back(k);
-    for (size_t first = begin; first < end; first += kPointsPerBlock) {
-      const size_t last = std::min(end, first + kPointsPerBlock);
-      const Box3 box = box_of(scene, first, last);
-      near.clear();
-      for (const uint32_t k : near_chunk)
-        if (may_reach(box, patches[k], reach_m)) near.push_back(k);
-      for (size_t i = first; i < last; ++i)
-        scene.owner[i] = choose(scene, patches, near, i, min_cosine);
+namespace {
+
+using Moved = std::vector<std::atomic<size_t>>;  // points that came or went, by owner
+
+struct Round {
+  SegmentScene& scene;
+  const std::vector<Patch>& patches;
+  const std::vector<Box3>& boxes;
+  const std::vector<Patch>& changed;
+  const std::vector<uint32_t>& now;  // of the owners of the round before
+  bool is_first;
+
+  double reach_m() const {
+    return scene.settings.distance_tolerance_m + kReachSlack * scene.tree->cube().edge;
+  }
+};
+
+// Those of a list, or of all, that may reach a point of the box.
+std::vector<uint32_t> near_box(const Box3& box, const std::vector<Patch>& patches, double reach_m) {
+  std::vector<uint32_t> near;
+  for (uint32_t k = 0; k < patches.size(); ++k)
+    if (may_reach(box, patches[k], reach_m)) near.push_back(k);
+  return near;
+}
+void near_box(const Box3& box, const std::vector<Patch>& patches, double reach_m,
+              std::span<const uint32_t> among, std::vector<uint32_t>& near) {
+  near.clear();
+  for (const uint32_t k : among)
+    if (may_reach(box, patches[k], reach_m)) near.push_back(k);
+}
+
+// A run of blocks: each is left as it is where no patch that changed may reach it.
+void share_out(const Round& round, size_t begin, size_t end, Moved& moved) {
+  SegmentScene& scene = round.scene;
+  const double reach_m = round.reach_m(), min_cosine = scene.min_cosine();
+  Box3 chunk;
+  for (size_t b = begin / kPointsPerBlock; b * kPointsPerBlock < end; ++b) chunk += round.boxes[b];
+  const auto changed_here = near_box(chunk, round.changed, reach_m);
+  std::vector<uint32_t> here, near;
+  if (round.is_first || !changed_here.empty()) here = near_box(chunk, round.patches, reach_m);
+  for (size_t first = begin; first < end; first += kPointsPerBlock) {
+    const size_t last = std::min(end, first + kPointsPerBlock);
+    const Box3& box = round.boxes[first / kPointsPerBlock];
+    const bool stays =
+        !round.is_first && std::none_of(changed_here.begin(), changed_here.end(), [&](uint32_t k) {
+          return may_reach(box, round.changed[k], reach_m);
+        });
+    if (stays) {
+      for (size_t i = first; i < last; ++i) scene.owner[i] = round.now[scene.owner[i]];
+      continue;
     }
+    near_box(box, round.patches, reach_m, here, near);
+    for (size_t i = first; i < last; ++i) {
+      const uint32_t before = round.is_first ? 0 : round.now[scene.owner[i]];
+      const uint32_t own = choose(scene, round.patches, near, i, min_cosine);
+      scene.owner[i] = own;
+      if (own == before) continue;
+      moved[own].fetch_add(1, std::memory_order_relaxed);
+      moved[before].fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+}
+
+}  // namespace
+
+Assignment::Assignment() = default;
+Assignment::~Assignment() = default;
+
+// The patches of the surfaces that are what they were stand; the others are made anew. Those that are gone or new are
+// where points may change hands.
+std::vector<uint32_t> Assignment::renew_patches(const SegmentScene& scene,
+                                                const std::vector<Surface>& surfaces,
+                                                std::vector<Patch>& changed, Task& task) {
+  std::vector<Patch> patches(surfaces.size());
+  std::vector<uint32_t> now(patches_.size() + 1, 0);
+  const auto stands = [&](size_t s) {
+    return surfaces[s].sharing.number != 0 && !surfaces[s].sharing.fresh;
+  };
+  for (size_t s = 0; s < surfaces.size(); ++s) {
+    const uint32_t before = surfaces[s].sharing.number;
+    if (before != 0) now[before] = static_cast<uint32_t>(s + 1);
+    if (stands(s)) patches[s] = std::move(patches_[before - 1]);
+    else if (before != 0) changed.push_back(patches_[before - 1].outline());
+  }
+  for (uint32_t before = 1; before < now.size(); ++before)
+    if (now[before] == 0) changed.push_back(patches_[before - 1].outline());
+  for_each_surface(surfaces, task, [&](size_t s) {
+    if (!stands(s)) patches[s] = patch_of(scene, surfaces[s], task);
   });
+  for (size_t s = 0; s < surfaces.size(); ++s)
+    if (!stands(s)) changed.push_back(patches[s].outline());
+  patches_ = std::move(patches);
+  return now;
+}
+
+void Assignment::box_blocks(const SegmentScene& scene, Task& task) {
+  boxes_.resize((scene.size() + kPointsPerBlock - 1) / kPointsPerBlock);
+  parallel_for(task, scene.size(), kAssignmentPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t first = begin; first < end; first += kPointsPerBlock)
+      boxes_[first / kPointsPerBlock] =
+          box_of(scene, first, std::min(end, first + kPointsPerBlock));
+  });
+}
+
+void Assignment::next_round(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  const bool is_first = boxes_.empty();
+  if (is_first) box_blocks(scene, task);
+  if (is_first)
+    for (Surface& surface : surfaces) surface.sharing = {};
+  std::vector<Patch> changed;
+  const std::vector<uint32_t> now = renew_patches(scene, surfaces, changed, task);
+  Moved moved(surfaces.size() + 1);
+  const Round round{scene, patches_, boxes_, changed, now, is_first};
+  parallel_for(task, scene.size(), kAssignmentPointsPerChunk,
+               [&](size_t begin, size_t end) { share_out(round, begin, end, moved); });
   take_positions(scene, surfaces, task);
+  for (size_t s = 0; s < surfaces.size(); ++s) {
+    Surface::Sharing& sharing = surfaces[s].sharing;
+    sharing.number = static_cast<uint32_t>(s + 1);
+    sharing.fresh = false;
+    if (sharing.moved != Surface::Sharing::kAll) sharing.moved += moved[s + 1];
+  }
+}
+
+void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  Assignment().next_round(scene, surfaces, task);
 }
 
 }  // namespace jalon

@@ -13,6 +13,26 @@ namespace jalon {
 /// 2010, 3.4.5: robbery by order). Updates positions and scene.owner; surfaces keep their order.
 void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 
+/// The same round after round, between which surfaces are refitted, dropped, split or joined: looked at are the points
+/// that a surface may reach which is not what it was, the others stay as they are.
+class Assignment {
+ public:
+  struct Patch;
+  Assignment();
+  ~Assignment();
+  void next_round(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
+
+ private:
+  /// Owners of the last round as owners of this one, 0 for those that are gone.
+  std::vector<uint32_t> renew_patches(const SegmentScene& scene,
+                                      const std::vector<Surface>& surfaces,
+                                      std::vector<Patch>& changed, Task& task);
+  void box_blocks(const SegmentScene& scene, Task& task);
+
+  std::vector<Patch> patches_;  ///< by owner
+  std::vector<Box3> boxes_;     ///< of short runs of points
+};
+
 /// Each surface k - 1 the points that scene.owner gives to k, ascending.
 void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 

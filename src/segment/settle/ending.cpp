@@ -115,10 +115,16 @@ void require_area(const Cloud& cloud, Task& task) {
 }
 
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
+  Assignment assignment;
+  share_out_points(scene, surfaces, assignment, task);
+}
+
+void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Assignment& assignment,
+                      Task& task) {
   if (!scene.settings.reassign) return;
   const auto settle = [&] {
     for (int round = 0; round < kAssignmentRounds; ++round) {
-      assign_points(scene, surfaces, task);
+      assignment.next_round(scene, surfaces, task);
       if (!refit_surfaces(scene, surfaces, task) && round > 0) break;
     }
   };

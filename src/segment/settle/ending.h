@@ -6,6 +6,7 @@
 
 #include "segment/ransac/extraction.h"
 #include "segment/segmentation.h"
+#include "segment/settle/assignment.h"
 
 namespace jalon {
 
@@ -17,6 +18,9 @@ void require_area(const Cloud& cloud, Task& task);
 
 /// All points shared out anew among all planes, which are refitted after each round.
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
+/// The same once more, when surfaces were joined meanwhile.
+void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Assignment& assignment,
+                      Task& task);
 
 /// Refinement by global planarity where it is asked for, last fit, normals turned, orientation classes, facade frame,
 /// tables of points and segments; all but parameters_json. Sorts the surfaces, largest first. After: neither they nor

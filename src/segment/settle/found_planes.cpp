@@ -68,8 +68,9 @@ void settle_found(SegmentScene& scene, std::vector<Surface>& surfaces, Task& tas
   std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
   if (scene.settings.merge_gap_m > 0) merge_coplanar(scene, surfaces, task);
   drop_small_planes(scene.settings, surfaces);
-  share_out_points(scene, surfaces, task);
-  if (merge_layers(scene, surfaces, task)) share_out_points(scene, surfaces, task);
+  Assignment assignment;
+  share_out_points(scene, surfaces, assignment, task);
+  if (merge_layers(scene, surfaces, task)) share_out_points(scene, surfaces, assignment, task);
 }
 
 void own_points(SegmentScene& scene, const std::vector<Surface>& surfaces) {

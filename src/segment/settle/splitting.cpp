@@ -52,6 +52,8 @@ bool split_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& t
     std::vector<SplittingPart> parts = parts_of(scene, surfaces[s], pixel_area_m2, task);
     if (parts.size() < 2) return;
     changed[s] = 1;
+    surfaces[s].sharing.fresh = true;
+    surfaces[s].sharing.moved = Surface::Sharing::kAll;
     surfaces[s].positions = std::move(parts[0].positions);
     for (size_t k = 1; k < parts.size(); ++k) {
       SplittingPart& part = parts[k];
@@ -62,6 +64,7 @@ bool split_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& t
       }
       apart[s].push_back(surfaces[s]);
       apart[s].back().area_m2 = area_m2;
+      apart[s].back().sharing = {};
       apart[s].back().positions = std::move(part.positions);
     }
   });

@@ -24,7 +24,10 @@ constexpr double kLeastInner = 0.3;
 constexpr size_t kLeastInnerPoints = 1000;
 constexpr double kBendSigmas =
     4;  // beyond doubt: 1 in 30 000 flat surfaces is taken for a curved one
-constexpr double kCoreSigmas = 4;   // rejection of outliers in the last fit: biases sigma by 0.05 %
+constexpr double kCoreSigmas = 4;  // rejection of outliers in the last fit: biases sigma by 0.05 %
+// Share of a surface's points: fewer, none of them farther off than the tolerance, shift its plane by less than a
+// thousandth of the tolerance. The last fit is to all points.
+constexpr double kLeastMoved = 1e-3;
 constexpr uint32_t kLeftOut = 2;    // zone of a point that is no sample
 constexpr double kBorderReach = 3;  // spacings within which a point has neighbours on all sides
 constexpr size_t kMostForBorder = 50000;  // larger surfaces tell their border by pixels
@@ -206,12 +209,21 @@ bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
   return surface.area_m2 >= settings.min_area_m2;
 }
 
+// Few points that came or went do not shift a plane.
+bool fit_stands(const Surface& surface) {
+  return static_cast<double>(surface.sharing.moved) <=
+         kLeastMoved * static_cast<double>(surface.positions.size());
+}
+
 }  // namespace
 
 bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
   std::vector<uint8_t> lost(surfaces.size(), 0);
   for_each_surface(surfaces, task, [&](size_t s) {
     Surface& surface = surfaces[s];
+    if (fit_stands(surface)) return;
+    surface.sharing.fresh = true;
+    surface.sharing.moved = 0;
     lost[s] = surface.is_plane() ? !refit_plane(scene, surface, task)
                                  : !refit_curved(scene, surface, task);
   });

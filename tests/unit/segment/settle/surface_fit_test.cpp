@@ -68,3 +68,22 @@ TEST_CASE("surface_fit__refit_drops_what_is_small_rough_or_bent_and_frees_its_po
   for (size_t p = 0; p < made.scene.size(); ++p)
     CHECK(made.scene.owner[p] == (scene.faces[made.point(p)] == 1 ? 1u : 0u));
 }
+
+TEST_CASE("surface_fit__a_plane_of_which_few_points_came_or_went_keeps_its_fit") {
+  const Scene scene = wall(3000);
+  MadeScene made(scene.points);
+  auto surfaces = made.surfaces(scene.faces, 1);
+  refit_surfaces(made.scene, surfaces, made.task);
+  const double fitted = surfaces[0].plane.offset;
+  surfaces[0].plane.offset += 0.002;
+  surfaces[0].sharing.fresh = false;
+  surfaces[0].sharing.moved = 3;
+  refit_surfaces(made.scene, surfaces, made.task);
+  CHECK(surfaces[0].plane.offset == fitted + 0.002);
+  CHECK_FALSE(surfaces[0].sharing.fresh);
+  surfaces[0].sharing.moved = 4;
+  refit_surfaces(made.scene, surfaces, made.task);
+  CHECK(std::fabs(surfaces[0].plane.offset - fitted) < 1e-4);
+  CHECK(surfaces[0].sharing.fresh);
+  CHECK(surfaces[0].sharing.moved == 0);
+}
