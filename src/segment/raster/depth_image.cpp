@@ -19,8 +19,7 @@ constexpr double kSpacingsPerImagePixel = 1.4;
 DepthImage depth_image(const SegmentScene& scene, const RasterSettings& settings,
                        const ImageAxes& axes, double pixel_m, Task& task) {
   RasterLayers layers(scene, settings);
-  layers.look_along(axes);
-  layers.show(pixel_m, task);
+  layers.look_along(axes, pixel_m, task);
   return layers.image();
 }
 

@@ -3,9 +3,12 @@
 #include "segment/raster/layers.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
+#include <cmath>
 
+#include "base/buffer.h"
 #include "base/parallel.h"
 
 namespace jalon {
@@ -13,20 +16,57 @@ namespace jalon {
 namespace {
 
 constexpr size_t kImagePointsPerChunk = 1 << 15;
-constexpr size_t kImagePixelsPerChunk = 1 << 14;
+constexpr size_t kImagePixelsPerChunk = 1 << 12;
 constexpr double kMostPixelsPerPoint =
-    1.5;  // 21 B a pixel: an image is no larger than the points' columns
+    1.5;  // 25 B a pixel with what grows on it: an image is no larger than the points' columns
 constexpr double kLeastPixels = 1 << 16;  // that any cloud may have
 constexpr uint64_t kNoReturn = 0;
+constexpr uint32_t kInNoPixel = 0xffffffffu;
 
-void size_image(DepthImage& image, const ImageBox& box, size_t points, double pixel_m) {
-  const double most = std::max(kLeastPixels, kMostPixelsPerPoint * static_cast<double>(points));
+struct ImageBox {
+  std::array<double, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  size_t points = 0;
+  void add(const std::array<double, 3>& at) {
+    for (size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], at[k]);
+      high[k] = std::max(high[k], at[k]);
+    }
+    ++points;
+  }
+  ImageBox& operator+=(const ImageBox& b) {
+    for (size_t k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], b.low[k]);
+      high[k] = std::max(high[k], b.high[k]);
+    }
+    points += b.points;
+    return *this;
+  }
+};
+
+ImageBox free_points_box(const SegmentScene& scene, const ImageAxes& axes, Task& task) {
+  return parallel_reduce(task, scene.size(), kImagePointsPerChunk, ImageBox{},
+                         [&](size_t begin, size_t end) {
+                           ImageBox box;
+                           for (size_t i = begin; i < end; ++i) {
+                             if (scene.owner[i] != 0) continue;
+                             const Vec3 p = scene.local(i);
+                             box.add({dot(p, axes.u), dot(p, axes.v), dot(p, axes.n)});
+                           }
+                           return box;
+                         });
+}
+
+void size_image(DepthImage& image, const ImageBox& box, double pixel_m) {
+  const double most = std::max(kLeastPixels, kMostPixelsPerPoint * static_cast<double>(box.points));
   const auto cells = [&](size_t k) { return std::floor((box.high[k] - box.low[k]) / pixel_m) + 1; };
   while (cells(0) * cells(1) > most) pixel_m *= 2;
   image.low = {box.low[0], box.low[1]};
   image.pixel_m = pixel_m;
   image.columns = static_cast<uint32_t>(cells(0));
   image.rows = static_cast<uint32_t>(cells(1));
+  const size_t size = size_t{image.columns} * image.rows;
+  image.pixels.resize(size);
+  image.occupied.assign(size, 0);
 }
 
 // Depth and position as one number that orders returns: nearer to the viewer is more, then the first in order.
@@ -39,215 +79,93 @@ uint32_t position_of(uint64_t key) { return 0xffffffffu - static_cast<uint32_t>(
 
 }  // namespace
 
-void ImageBox::add(const std::array<double, 3>& at, uint32_t position) {
-  for (size_t k = 0; k < 3; ++k) {
-    if (at[k] < low[k]) {
-      low[k] = at[k];
-      reached_by[k] = position;
-    }
-    if (at[k] > high[k]) {
-      high[k] = at[k];
-      reached_by[3 + k] = position;
-    }
-  }
-}
-
-ImageBox& ImageBox::operator+=(const ImageBox& b) {
-  for (size_t k = 0; k < 3; ++k) {
-    if (b.low[k] < low[k]) {
-      low[k] = b.low[k];
-      reached_by[k] = b.reached_by[k];
-    }
-    if (b.high[k] > high[k]) {
-      high[k] = b.high[k];
-      reached_by[3 + k] = b.reached_by[3 + k];
-    }
-  }
-  return *this;
-}
-
-RasterLayers::RasterLayers(const SegmentScene& scene, const RasterSettings& settings)
-    : scene_(scene), settings_(settings) {
-  all_ = std::all_of(scene.owner.begin(), scene.owner.end(), [](uint32_t o) { return o == 0; });
-  if (all_) return;
-  for (size_t i = 0; i < scene.size(); ++i)
-    if (scene.owner[i] == 0) positions_.push_back(static_cast<uint32_t>(i));
-}
-
-void RasterLayers::look_along(const ImageAxes& axes) {
+void RasterLayers::look_along(const ImageAxes& axes, double pixel_m, Task& task) {
   image_ = {};
   image_.axes = axes;
-  changed_ = {};
-  taken_from_ = {};
-  pixels_ = {};
-  has_box_ = false;
-}
-
-bool RasterLayers::box_stands() const {
-  return has_box_ && std::all_of(box_.reached_by.begin(), box_.reached_by.end(),
-                                 [&](uint32_t position) { return scene_.owner[position] == 0; });
-}
-
-bool RasterLayers::same_pixels(const DepthImage& next) const {
-  return settings_.returns == PixelReturn::kNearest && image_.size() != 0 &&
-         next.low == image_.low && next.pixel_m == image_.pixel_m &&
-         next.columns == image_.columns && next.rows == image_.rows &&
-         (settings_.grey_bits == 0 ||
-          (box_.low[2] == painted_box_.low[2] && box_.high[2] == painted_box_.high[2]));
-}
-
-void RasterLayers::show(double pixel_m, Task& task) {
-  const ImageAxes& axes = image_.axes;
-  if (points() == 0) {
-    const ImageAxes own = axes;
-    image_ = {};
-    image_.axes = own;
-    return;
-  }
-  if (!box_stands())
-    box_ = parallel_reduce(
-        task, points(), kImagePointsPerChunk, ImageBox{}, [&](size_t begin, size_t end) {
-          ImageBox box;
-          for (size_t k = begin; k < end; ++k) {
-            const Vec3 p = scene_.local(position(k));
-            box.add({dot(p, axes.u), dot(p, axes.v), dot(p, axes.n)}, position(k));
-          }
-          return box;
-        });
-  has_box_ = true;
-  DepthImage next;
-  next.axes = axes;
-  size_image(next, box_, points(), pixel_m);
-  if (same_pixels(next) && !taken_from_.empty()) {
-    changed_ = std::move(taken_from_);
-  } else {
-    changed_ = {};
-    const size_t size = size_t{next.columns} * next.rows;
-    image_ = std::move(next);
-    image_.pixels.resize(size);
-    image_.occupied.assign(size, 0);
-    find_pixels(task);
-  }
-  taken_from_ = {};
-  painted_box_ = box_;
-  paint(settings_.returns == PixelReturn::kNearest ? nearest_returns(task) : middle_returns(task),
-        task);
-  if (settings_.grey_bits > 0) quantise(task);
-}
-
-void RasterLayers::find_pixels(Task& task) {
-  pixels_ = {};
-  pixels_.resize(points());
-  parallel_for(task, points(), kImagePointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k)
-      pixels_[k] = static_cast<uint32_t>(image_.pixel_of(scene_.local(position(k))));
+  firsts_ = {};
+  points_ = {};
+  const ImageBox box = free_points_box(scene_, axes, task);
+  if (box.points == 0) return;
+  size_image(image_, box, pixel_m);
+  depths_ = {box.low[2], box.high[2]};
+  if (settings_.grey_bits > 0)
+    image_.quantum_m =
+        (depths_.high - depths_.low) / (std::ldexp(1.0, static_cast<int>(settings_.grey_bits)) - 1);
+  put_points_in_pixels(box.points, task);
+  parallel_for(task, image_.size(), kImagePixelsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t p = begin; p < end; ++p) paint(p);
   });
 }
 
-std::vector<uint64_t> RasterLayers::nearest_returns(Task& task) const {
-  std::vector<uint64_t> keys(image_.size(), kNoReturn);
-  parallel_for(task, points(), kImagePointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) {
-      const uint32_t own = pixels_[k];
-      if (!changed_.empty() && changed_[own] == 0) continue;
-      const uint32_t i = position(k);
-      const uint64_t key = key_of(dot(scene_.local(i), image_.axes.n), i);
-      std::atomic_ref<uint64_t> best(keys[own]);
-      uint64_t seen = best.load(std::memory_order_relaxed);
-      while (seen < key && !best.compare_exchange_weak(seen, key, std::memory_order_relaxed)) {
-      }
+void RasterLayers::look_behind(std::span<const uint32_t> pixels, Task& task) {
+  parallel_for(task, pixels.size(), kImagePixelsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) paint(pixels[k]);
+  });
+}
+
+// Counted, then put in place, in any order within a pixel: none is asked for.
+void RasterLayers::put_points_in_pixels(size_t free_points, Task& task) {
+  Buffer<uint32_t> pixels(scene_.size());
+  firsts_.assign(image_.size() + 1, 0);
+  parallel_for(task, scene_.size(), kImagePointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      pixels[i] = kInNoPixel;
+      if (scene_.owner[i] != 0) continue;
+      pixels[i] = static_cast<uint32_t>(image_.pixel_of(scene_.local(i)));
+      std::atomic_ref(firsts_[pixels[i]]).fetch_add(1, std::memory_order_relaxed);
     }
   });
-  return keys;
-}
-
-// The middle return of each pixel: returns counted, put pixel by pixel, and halved.
-std::vector<uint64_t> RasterLayers::middle_returns(Task& task) const {
-  const size_t size = image_.size();
-  std::vector<uint32_t> first(size + 1, 0);
-  for (const uint32_t own : pixels_) ++first[own + size_t{1}];
-  for (size_t p = 0; p < size; ++p) first[p + 1] += first[p];
-  std::vector<uint64_t> returns(points()), keys(size, kNoReturn);
-  std::vector<uint32_t> next(first.begin(), first.end() - 1);
-  for (size_t k = 0; k < points(); ++k) {
-    const uint32_t i = position(k);
-    returns[next[pixels_[k]]++] = key_of(dot(scene_.local(i), image_.axes.n), i);
-  }
-  parallel_for(task, size, kImagePixelsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t p = begin; p < end; ++p) {
-      if (first[p] == first[p + 1]) continue;
-      const auto from = returns.begin() + first[p], to = returns.begin() + first[p + 1];
-      const auto middle = from + (to - from) / 2;
-      std::nth_element(from, middle, to);
-      keys[p] = *middle;
-    }
+  uint32_t sum = 0;
+  for (uint32_t& first : firsts_) first = sum += first;  // the ends, which go down to the firsts
+  points_.resize(free_points);
+  parallel_for(task, scene_.size(), kImagePointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      if (pixels[i] != kInNoPixel)
+        points_[std::atomic_ref(firsts_[pixels[i]]).fetch_sub(1, std::memory_order_relaxed) - 1] =
+            static_cast<uint32_t>(i);
   });
-  return keys;
 }
 
-void RasterLayers::paint(const std::vector<uint64_t>& keys, Task& task) {
+uint64_t RasterLayers::nearest_return(size_t pixel) const {
+  uint64_t best = kNoReturn;
+  for (const uint32_t i : points_of(pixel))
+    if (scene_.owner[i] == 0) best = std::max(best, key_of(dot(scene_.local(i), image_.axes.n), i));
+  return best;
+}
+
+uint64_t RasterLayers::middle_return(size_t pixel) const {
+  std::vector<uint64_t> keys;
+  for (const uint32_t i : points_of(pixel))
+    if (scene_.owner[i] == 0) keys.push_back(key_of(dot(scene_.local(i), image_.axes.n), i));
+  if (keys.empty()) return kNoReturn;
+  const auto middle = keys.begin() + static_cast<ptrdiff_t>(keys.size() / 2);
+  std::nth_element(keys.begin(), middle, keys.end());
+  return *middle;
+}
+
+void RasterLayers::paint(size_t pixel) {
   const ImageAxes& axes = image_.axes;
-  parallel_for(task, keys.size(), kImagePixelsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t p = begin; p < end; ++p) {
-      if (!changed_.empty() && changed_[p] == 0) continue;
-      image_.occupied[p] = keys[p] != kNoReturn ? 1 : 0;
-      image_.pixels[p] = {};
-      if (keys[p] == kNoReturn) continue;
-      const Vec3 at = scene_.local(position_of(keys[p]));
-      image_.pixels[p] = {static_cast<float>(dot(at, axes.u)), static_cast<float>(dot(at, axes.v)),
+  const uint64_t key =
+      settings_.returns == PixelReturn::kNearest ? nearest_return(pixel) : middle_return(pixel);
+  image_.occupied[pixel] = key != kNoReturn ? 1 : 0;
+  image_.pixels[pixel] = {};
+  if (key == kNoReturn) return;
+  const Vec3 at = scene_.local(position_of(key));
+  image_.pixels[pixel] = {static_cast<float>(dot(at, axes.u)), static_cast<float>(dot(at, axes.v)),
                           static_cast<float>(dot(at, axes.n))};
-    }
-  });
+  if (settings_.grey_bits > 0) quantise(pixel);
 }
 
 // Grey values of the text's image file: whole numbers of the depth's range, at the middle of their pixels.
-void RasterLayers::quantise(Task& task) {
-  const double steps = std::ldexp(1.0, static_cast<int>(settings_.grey_bits)) - 1;
-  image_.quantum_m = (box_.high[2] - box_.low[2]) / steps;
-  parallel_for(task, image_.size(), kImagePixelsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t p = begin; p < end; ++p) {
-      if (image_.occupied[p] == 0 || (!changed_.empty() && changed_[p] == 0)) continue;
-      DepthImage::Pixel& pixel = image_.pixels[p];
-      const auto column = static_cast<double>(p % image_.columns);
-      const auto row = static_cast<double>(p / image_.columns);
-      pixel.u = static_cast<float>(image_.low.u + (column + 0.5) * image_.pixel_m);
-      pixel.v = static_cast<float>(image_.low.v + (row + 0.5) * image_.pixel_m);
-      if (image_.quantum_m == 0) continue;
-      const double grey =
-          std::round((static_cast<double>(pixel.g) - box_.low[2]) / image_.quantum_m);
-      pixel.g = static_cast<float>(box_.low[2] + grey * image_.quantum_m);
-    }
-  });
-}
-
-void RasterLayers::drop_taken() {
-  taken_from_.assign(image_.size(), 0);
-  size_t left = 0;
-  if (all_) {
-    left = static_cast<size_t>(std::count(scene_.owner.begin(), scene_.owner.end(), 0u));
-    positions_.reserve(left);
-    size_t kept = 0;
-    for (size_t i = 0; i < scene_.size(); ++i) {
-      if (scene_.owner[i] != 0) {
-        taken_from_[pixels_[i]] = 1;
-        continue;
-      }
-      positions_.push_back(static_cast<uint32_t>(i));
-      pixels_[kept++] = pixels_[i];
-    }
-    all_ = false;
-  } else {
-    for (size_t k = 0; k < positions_.size(); ++k) {
-      if (scene_.owner[positions_[k]] != 0) {
-        taken_from_[pixels_[k]] = 1;
-        continue;
-      }
-      positions_[left] = positions_[k];
-      pixels_[left++] = pixels_[k];
-    }
-    positions_.resize(left);
-  }
-  pixels_.resize(left);
+void RasterLayers::quantise(size_t pixel) {
+  DepthImage::Pixel& own = image_.pixels[pixel];
+  const auto column = static_cast<double>(pixel % image_.columns);
+  const auto row = static_cast<double>(pixel / image_.columns);
+  own.u = static_cast<float>(image_.low.u + (column + 0.5) * image_.pixel_m);
+  own.v = static_cast<float>(image_.low.v + (row + 0.5) * image_.pixel_m);
+  if (image_.quantum_m == 0) return;
+  const double grey = std::round((static_cast<double>(own.g) - depths_.low) / image_.quantum_m);
+  own.g = static_cast<float>(depths_.low + grey * image_.quantum_m);
 }
 
 }  // namespace jalon

@@ -21,6 +21,7 @@ constexpr double kSteepest =
     0.88;  // slope at that cosine: farther off is another depth, seen through a gap
 constexpr double kPixelRefit = 1.1;      // growth after which the plane is solved anew
 constexpr size_t kResidualSteps = 1024;  // classes of residuals that order the seeds
+constexpr uint16_t kNoSeed = 0xffff;
 constexpr size_t kSeedPixelsPerChunk = 1 << 12;
 constexpr size_t kPixelsPerCheckpoint = 1 << 13;
 
@@ -57,35 +58,66 @@ bool seed_plane(const DepthImage& image, const PixelRule& rule, const std::vecto
          plane.rms * plane.cosine() <= kSeedResidual * rule.tolerance_m;
 }
 
-// Whether a pixel of the window about this one changed.
-bool window_changed(const DepthImage& image, const PixelRule& rule,
-                    const std::vector<uint8_t>& changed, size_t centre) {
+// The pixels with a changed one in their window, ascending.
+std::vector<uint32_t> pixels_about(const DepthImage& image, const PixelRule& rule,
+                                   std::span<const uint32_t> changed) {
   const size_t half = rule.seed_pixels / 2;
-  const size_t column = centre % image.columns, row = centre / image.columns;
-  if (column < half || row < half || column + half >= image.columns || row + half >= image.rows)
-    return false;
-  for (size_t r = row - half; r <= row + half; ++r) {
-    const auto from = changed.begin() + static_cast<ptrdiff_t>(r * image.columns + column - half);
-    if (std::find(from, from + static_cast<ptrdiff_t>(2 * half + 1), 1) !=
-        from + static_cast<ptrdiff_t>(2 * half + 1))
-      return true;
+  std::vector<uint8_t> about(image.size(), 0);
+  for (const uint32_t p : changed) {
+    const size_t column = p % image.columns, row = p / image.columns;
+    const size_t left = column - std::min(column, half);
+    const size_t count = std::min<size_t>(image.columns - 1, column + half) - left + 1;
+    for (size_t r = row - std::min(row, half); r <= std::min<size_t>(image.rows - 1, row + half);
+         ++r)
+      std::fill_n(about.begin() + static_cast<ptrdiff_t>(r * image.columns + left), count,
+                  uint8_t{1});
   }
-  return false;
+  std::vector<uint32_t> pixels;
+  for (size_t p = 0; p < about.size(); ++p)
+    if (about[p] != 0) pixels.push_back(static_cast<uint32_t>(p));
+  return pixels;
+}
+
+// Class of the residual of a seed in the pixel, or kNoSeed.
+uint16_t residual_step(const DepthImage& image, const PixelRule& rule, size_t pixel) {
+  const double per_step = kSeedResidual * rule.tolerance_m / (kResidualSteps - 1);
+  GreyPlane plane;
+  if (!seed_plane(image, rule, {}, pixel, plane)) return kNoSeed;
+  return static_cast<uint16_t>(plane.rms * plane.cosine() / per_step);
+}
+
+// Those of the pixels at(0) ... at(n - 1), which ascend, that make a seed.
+template <class At>
+std::vector<uint32_t> seeds_among(const DepthImage& image, const PixelRule& rule, size_t n,
+                                  const At& at, Task& task) {
+  std::vector<uint16_t> steps(n);
+  parallel_for(task, n, kSeedPixelsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) steps[k] = residual_step(image, rule, at(k));
+  });
+  std::vector<uint32_t> next(kResidualSteps + 1, 0);
+  for (const uint16_t step : steps)
+    if (step != kNoSeed) ++next[step + 1u];
+  for (size_t s = 0; s < kResidualSteps; ++s) next[s + 1] += next[s];
+  std::vector<uint32_t> seeds(next[kResidualSteps]);
+  for (size_t k = 0; k < n; ++k)
+    if (steps[k] != kNoSeed) seeds[next[steps[k]]++] = static_cast<uint32_t>(at(k));
+  return seeds;
 }
 
 class PixelGrower {
  public:
-  PixelGrower(const DepthImage& image, const PixelRule& rule, Task& task)
-      : image_(image), rule_(rule), task_(task), seen_(image.size(), 0) {
-    regions_.labels.assign(image.size(), 0);
-  }
+  PixelGrower(const DepthImage& image, const PixelRule& rule, std::vector<uint32_t>& labels,
+              std::vector<uint32_t>& seen, uint32_t& round, Task& task)
+      : image_(image), rule_(rule), task_(task), labels_(labels), seen_(seen), round_(round) {}
 
-  PixelRegions run(const std::vector<uint32_t>& seeds) {
+  PixelRegions run(std::span<const uint32_t> seeds) {
     for (size_t i = 0; i < seeds.size(); ++i) {
       progress_ = static_cast<double>(i) / static_cast<double>(seeds.size());
       if (i % kPixelsPerCheckpoint == 0) task_.checkpoint(progress_);
       if (seen_[seeds[i]] != kSpent) try_seed(seeds[i]);
     }
+    for (const uint32_t p : spent_) seen_[p] = 0;
+    for (const uint32_t p : regions_.pixels) seen_[p] = labels_[p] = 0;
     return std::move(regions_);
   }
 
@@ -94,7 +126,7 @@ class PixelGrower {
 
   void try_seed(uint32_t seed) {
     GreyPlane plane;
-    if (!seed_plane(image_, rule_, regions_.labels, seed, plane)) return;
+    if (!seed_plane(image_, rule_, labels_, seed, plane)) return;
     ++round_;
     const auto label = static_cast<uint32_t>(regions_.planes.size() + 1);
     const DepthImage::Pixel& own = image_.pixels[seed];
@@ -107,15 +139,19 @@ class PixelGrower {
                       plane.rms * plane.cosine() <= kRegionResidual * rule_.tolerance_m;
     for (const uint32_t member : members_) {
       seen_[member] = kSpent;
-      if (!good) regions_.labels[member] = 0;
+      if (!good) labels_[member] = 0;
     }
-    if (good) regions_.planes.push_back(in_scene(plane));
+    std::vector<uint32_t>& kept = good ? regions_.pixels : spent_;
+    kept.insert(kept.end(), members_.begin(), members_.end());
+    if (!good) return;
+    regions_.labels.resize(regions_.pixels.size(), label);
+    regions_.planes.push_back(in_scene(plane));
   }
 
   void take(size_t p, uint32_t label, GreySums& region) {
     const DepthImage::Pixel& pixel = image_.pixels[p];
     seen_[p] = round_;
-    regions_.labels[p] = label;
+    labels_[p] = label;
     region.add(pixel.u, pixel.v, pixel.g);
     members_.push_back(static_cast<uint32_t>(p));
   }
@@ -143,7 +179,7 @@ class PixelGrower {
     double cosine, fitted;
   };
   void ask(size_t p, uint32_t label, PixelFit& fit, GreySums& region) {
-    if (image_.occupied[p] == 0 || seen_[p] == round_ || regions_.labels[p] != 0) return;
+    if (image_.occupied[p] == 0 || seen_[p] == round_ || labels_[p] != 0) return;
     if (seen_[p] != kSpent) seen_[p] = round_;
     const DepthImage::Pixel& pixel = image_.pixels[p];
     const double off = (static_cast<double>(pixel.g) - fit.plane.at(pixel.u, pixel.v)) * fit.cosine;
@@ -165,49 +201,40 @@ class PixelGrower {
   const PixelRule& rule_;
   Task& task_;
   PixelRegions regions_;
-  std::vector<uint32_t> seen_;  ///< the last region that asked, or kSpent
+  std::vector<uint32_t>& labels_;
+  std::vector<uint32_t>& seen_;  ///< the last region that asked, or kSpent
   std::vector<uint32_t> members_;
-  uint32_t round_ = 0;
+  std::vector<uint32_t> spent_;  ///< of regions that were none
+  uint32_t& round_;
   double progress_ = 0;
 };
 
 }  // namespace
 
-void PixelSeeds::look_at(const DepthImage& image, const PixelRule& rule,
-                         const std::vector<uint8_t>& changed, Task& task) {
-  if (changed.empty()) steps_.assign(image.size(), kNone);
-  const double per_step = kSeedResidual * rule.tolerance_m / (kResidualSteps - 1);
-  parallel_for(task, image.size(), kSeedPixelsPerChunk, [&](size_t begin, size_t end) {
-    GreyPlane plane;
-    for (size_t p = begin; p < end; ++p) {
-      if (!changed.empty() && !window_changed(image, rule, changed, p)) continue;
-      steps_[p] = seed_plane(image, rule, {}, p, plane)
-                      ? static_cast<uint16_t>(plane.rms * plane.cosine() / per_step)
-                      : kNone;
-    }
-  });
+std::vector<uint32_t> pixel_seeds(const DepthImage& image, const PixelRule& rule, Task& task) {
+  return seeds_among(
+      image, rule, image.size(), [](size_t k) { return k; }, task);
 }
 
-std::vector<uint32_t> PixelSeeds::in_order() const {
-  std::vector<uint32_t> next(kResidualSteps + 1, 0);
-  for (const uint16_t step : steps_)
-    if (step != kNone) ++next[step + 1u];
-  for (size_t s = 0; s < kResidualSteps; ++s) next[s + 1] += next[s];
-  std::vector<uint32_t> seeds(next[kResidualSteps]);
-  for (size_t p = 0; p < steps_.size(); ++p)
-    if (steps_[p] != kNone) seeds[next[steps_[p]]++] = static_cast<uint32_t>(p);
-  return seeds;
+std::vector<uint32_t> pixel_seeds(const DepthImage& image, const PixelRule& rule,
+                                  std::span<const uint32_t> changed, Task& task) {
+  const std::vector<uint32_t> pixels = pixels_about(image, rule, changed);
+  return seeds_among(
+      image, rule, pixels.size(), [&](size_t k) { return size_t{pixels[k]}; }, task);
 }
 
-PixelRegions grow_pixels(const DepthImage& image, const PixelRule& rule, const PixelSeeds& seeds,
-                         Task& task) {
-  return PixelGrower(image, rule, task).run(seeds.in_order());
+PixelRegions PixelGrowth::grow(const DepthImage& image, const PixelRule& rule,
+                               std::span<const uint32_t> seeds, Task& task) {
+  if (labels_.size() != image.size()) {
+    labels_.assign(image.size(), 0);
+    seen_.assign(image.size(), 0);
+    round_ = 0;
+  }
+  return PixelGrower(image, rule, labels_, seen_, round_, task).run(seeds);
 }
 
 PixelRegions grow_pixels(const DepthImage& image, const PixelRule& rule, Task& task) {
-  PixelSeeds seeds;
-  seeds.look_at(image, rule, {}, task);
-  return grow_pixels(image, rule, seeds, task);
+  return PixelGrowth().grow(image, rule, pixel_seeds(image, rule, task), task);
 }
 
 }  // namespace jalon

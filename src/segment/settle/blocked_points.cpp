@@ -10,6 +10,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kRun = 64;  // points: a box costs as much as three of them
+constexpr size_t kBlocksPerGroup = 64;
 // Of the octree's cube: far above the rounding of a projection, far below a pixel.
 constexpr double kShadowSlack = 1e-12;
 
@@ -25,15 +26,6 @@ FlatBox shadow_of(const Box3& box, const FlatFrame& frame, double slack_m) {
   return {{middle.u - wide.u, middle.v - wide.v}, {middle.u + wide.u, middle.v + wide.v}};
 }
 
-std::vector<FlatBox> shadows_of(const SegmentScene& scene, const BlockedPoints& points,
-                                const FlatFrame& frame) {
-  const double slack_m = kShadowSlack * scene.tree->cube().edge;
-  std::vector<FlatBox> shadows;
-  shadows.reserve(points.blocks().size());
-  for (const auto& block : points.blocks()) shadows.push_back(shadow_of(block.box, frame, slack_m));
-  return shadows;
-}
-
 bool holds(const FlatBox& outer, const FlatBox& inner) {
   return outer.low.u <= inner.low.u && outer.low.v <= inner.low.v && outer.high.u >= inner.high.u &&
          outer.high.v >= inner.high.v;
@@ -42,24 +34,32 @@ bool meet(const FlatBox& a, const FlatBox& b) {
   return a.low.u <= b.high.u && a.low.v <= b.high.v && b.low.u <= a.high.u && b.low.v <= a.high.v;
 }
 
-/// The extent of the points, to the bit: looked at are those of the blocks that may stand out.
-FlatBox extent_of(const SegmentScene& scene, const BlockedPoints& points,
-                  std::span<const FlatBox> shadows, const FlatFrame& frame) {
-  FlatBox extent;
-  const auto look_at = [&](size_t b) {
-    if (holds(extent, shadows[b])) return;
-    for (const uint32_t position : points.blocks()[b].positions)
-      extent.add(frame(scene.local(position)));
-  };
-  size_t outermost[4] = {0, 0, 0, 0};
-  for (size_t b = 1; b < shadows.size(); ++b) {
-    if (shadows[b].low.u < shadows[outermost[0]].low.u) outermost[0] = b;
-    if (shadows[b].low.v < shadows[outermost[1]].low.v) outermost[1] = b;
-    if (shadows[b].high.u > shadows[outermost[2]].high.u) outermost[2] = b;
-    if (shadows[b].high.v > shadows[outermost[3]].high.v) outermost[3] = b;
+/// f(block, shadow) for the blocks whose shadow passes, group by group; until it says that it knows enough.
+template <class Passes, class F>
+void for_blocks(const BlockedPoints& points, const FlatFrame& frame, double slack_m,
+                const Passes& passes, F&& f) {
+  for (const BlockedPoints::Group& group : points.groups()) {
+    if (!passes(shadow_of(group.box, frame, slack_m))) continue;
+    for (const auto& block : points.blocks().subspan(group.begin, group.end - group.begin)) {
+      const FlatBox shadow = shadow_of(block.box, frame, slack_m);
+      if (passes(shadow) && f(block, shadow)) return;
+    }
   }
-  for (const size_t b : outermost) look_at(b);
-  for (size_t b = 0; b < shadows.size(); ++b) look_at(b);
+}
+
+/// The extent of the points, to the bit: looked at are those of the blocks that may stand out.
+FlatBox extent_of(const SegmentScene& scene, const BlockedPoints& points, const FlatFrame& frame,
+                  double slack_m) {
+  FlatBox extent;
+  const auto stands_out = [&](const FlatBox& shadow) { return !holds(extent, shadow); };
+  const auto look_at = [&](const BlockedPoints::Block& block, const FlatBox&) {
+    for (const uint32_t position : block.positions) extent.add(frame(scene.local(position)));
+    return false;
+  };
+  // First a point of each group, so that most blocks are within these.
+  for (const BlockedPoints::Group& group : points.groups())
+    extent.add(frame(scene.local(points.blocks()[group.begin].positions.front())));
+  for_blocks(points, frame, slack_m, stands_out, look_at);
   return extent;
 }
 
@@ -154,10 +154,18 @@ BlockedPoints::BlockedPoints(const SegmentScene& scene, std::span<const uint32_t
     for (const uint32_t position : block.positions) block.box.add(scene.local(position));
     blocks_.push_back(block);
   }
+  for (size_t b = 0; b < blocks_.size(); b += kBlocksPerGroup) {
+    Group group{{}, b, std::min(blocks_.size(), b + kBlocksPerGroup)};
+    for (size_t k = group.begin; k < group.end; ++k) group.box += blocks_[k].box;
+    groups_.push_back(group);
+  }
 }
 
 void BlockedPoints::take(BlockedPoints&& other) {
+  const size_t before = blocks_.size();
   blocks_.insert(blocks_.end(), other.blocks_.begin(), other.blocks_.end());
+  for (const Group& group : other.groups_)
+    groups_.push_back({group.box, before + group.begin, before + group.end});
   first_ = std::min(first_, other.first_);
   size_ += other.size_;
   other = {};
@@ -165,9 +173,8 @@ void BlockedPoints::take(BlockedPoints&& other) {
 
 bool lie_over(const SegmentScene& scene, const BlockedPoints& points, size_t least,
               const BlockedPoints& image, const FlatFrame& frame, double pixel_m, uint32_t reach) {
-  const std::vector<FlatBox> own = shadows_of(scene, image, frame),
-                             others = shadows_of(scene, points, frame);
-  const FlatBox extent = extent_of(scene, image, own, frame);
+  const double slack_m = kShadowSlack * scene.tree->cube().edge;
+  const FlatBox extent = extent_of(scene, image, frame, slack_m);
   pixel_m = bounded_pixel(extent, pixel_m, reach);
   const ImageAxis u(extent.low.u, extent.high.u, pixel_m, reach),
       v(extent.low.v, extent.high.v, pixel_m, reach);
@@ -176,24 +183,32 @@ bool lie_over(const SegmentScene& scene, const BlockedPoints& points, size_t lea
   const double margin = reach * pixel_m;
   const FlatBox near{{extent.low.u - margin - pixel_m, extent.low.v - margin - pixel_m},
                      {extent.high.u + margin + pixel_m, extent.high.v + margin + pixel_m}};
-  for (const FlatBox& shadow : others)
-    if (meet(shadow, near)) common += shadow;
+  const auto comes_near = [&](const FlatBox& shadow) { return meet(shadow, near); };
+  for_blocks(points, frame, slack_m, comes_near,
+             [&](const BlockedPoints::Block&, const FlatBox& shadow) {
+               common += shadow;
+               return false;
+             });
   const Cells columns = u.between(common.low.u, common.high.u),
               rows = v.between(common.low.v, common.high.v);
   if (columns.empty() || rows.empty()) return least == 0;
 
   ImageWindow window(u, v, widened(columns, reach, u), widened(rows, reach, v));
   const FlatBox shown = window.box();
-  for (size_t b = 0; b < own.size(); ++b)
-    if (meet(own[b], shown))
-      for (const uint32_t position : image.blocks()[b].positions)
-        window.mark(frame(scene.local(position)));
+  for_blocks(
+      image, frame, slack_m, [&](const FlatBox& shadow) { return meet(shadow, shown); },
+      [&](const BlockedPoints::Block& block, const FlatBox&) {
+        for (const uint32_t position : block.positions) window.mark(frame(scene.local(position)));
+        return false;
+      });
   window.dilate(reach);
   size_t over = 0;
-  for (size_t b = 0; b < others.size() && over < least; ++b)
-    if (meet(others[b], near))
-      for (const uint32_t position : points.blocks()[b].positions)
-        over += window.holds(frame(scene.local(position)));
+  for_blocks(points, frame, slack_m, comes_near,
+             [&](const BlockedPoints::Block& block, const FlatBox&) {
+               for (const uint32_t position : block.positions)
+                 over += window.holds(frame(scene.local(position)));
+               return over >= least;
+             });
   return over >= least;
 }
 

@@ -24,12 +24,20 @@ class BlockedPoints {
   BlockedPoints(const SegmentScene& scene, std::span<const uint32_t> positions);
   void take(BlockedPoints&& other);
 
+  /// Neighbouring blocks together, with their box.
+  struct Group {
+    Box3 box;
+    size_t begin = 0, end = 0;  ///< in blocks()
+  };
+
   std::span<const Block> blocks() const { return blocks_; }
+  std::span<const Group> groups() const { return groups_; }
   uint32_t first_position() const { return first_; }
   size_t size() const { return size_; }
 
  private:
   std::vector<Block> blocks_;
+  std::vector<Group> groups_;
   uint32_t first_ = kNoPoint;
   size_t size_ = 0;
 };
