@@ -18,7 +18,9 @@ constexpr size_t kContaminatedPlanePointsPerChunk = 1 << 14;
 constexpr size_t kLeastPoints = 20;     // twice the unknowns and more
 constexpr size_t kLeastZonePoints = 8;  // fewer are counted with the other zone
 constexpr size_t kMostForTwoStarts =
-    20000;  // among more, contamination cannot lead least squares astray
+    20000;                       // among more, contamination cannot lead least squares astray
+constexpr size_t kFew = 20000;   // samples that say where the others' steps will lead
+constexpr size_t kFewOfAll = 4;  // and how many times as many there must be
 constexpr int kIterations = 40;
 constexpr double kLeastSigma = 0.04;  // of the tolerance: below it nothing needs telling apart
 constexpr double kStartShare = 0.03;
@@ -57,6 +59,15 @@ class Settling {
     state_.behind.fill(kStartShare);
   }
 
+  /// Moves the start to where the steps lead among every so many-th sample, which are soon gone through.
+  void start_among_few() {
+    std::vector<PlaneSample> few;
+    const size_t step = samples_.size() / kFew;
+    for (size_t i = 0; i < samples_.size(); i += step) few.push_back(samples_[i]);
+    Settling among_few(few, tolerance_m_, state_.sigma_m, task_);
+    if (among_few.iterate()) state_ = among_few.state_;
+  }
+
   /// Moves the start to the least-squares plane of the points away from the border.
   bool start_inside() {
     Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
@@ -79,13 +90,7 @@ class Settling {
 
   /// False when too few points turn out to be the plane's own.
   bool run() {
-    bool stable = false;
-    for (int i = 0; i < kIterations && !stable; ++i) {
-      const StepSums sums = sum();
-      if (!(sums.core() >= kLeastCore * static_cast<double>(samples_.size())) ||
-          !step(sums, stable))
-        return false;
-    }
+    if (!iterate()) return false;
     drop_small_shares();
     if (is_clean()) state_.height = state_.slope_u = state_.slope_v = 0;
     return std::fabs(state_.height) < tolerance_m_;
@@ -97,6 +102,17 @@ class Settling {
  private:
   double bounded_sigma(double sigma_m) const {
     return std::clamp(sigma_m, kLeastSigma * tolerance_m_, tolerance_m_);
+  }
+
+  bool iterate() {
+    bool stable = false;
+    for (int i = 0; i < kIterations && !stable; ++i) {
+      const StepSums sums = sum();
+      if (!(sums.core() >= kLeastCore * static_cast<double>(samples_.size())) ||
+          !step(sums, stable))
+        return false;
+    }
+    return true;
   }
 
   bool move(const Eigen::Vector3d& change) {
@@ -212,6 +228,7 @@ bool settle_contaminated_plane(std::vector<PlaneSample>& samples, double toleran
   // 1. From least squares; and, where that may have been led astray, from the points away from the border.
   Settling from_all(samples, tolerance_m, fit.sigma, task);
   Settling from_inside = from_all;
+  if (samples.size() >= kFewOfAll * kFew) from_all.start_among_few();
   const Settling* best = from_all.run() ? &from_all : nullptr;
   // 2. The likelier of the two.
   if (samples.size() <= kMostForTwoStarts && from_inside.start_inside() && from_inside.run() &&

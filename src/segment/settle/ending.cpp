@@ -26,10 +26,10 @@ constexpr int kAssignmentRounds = 3;
 constexpr int kFitRounds = 3;
 
 // A plane that was looked for as one of an orientation class stays in it: the points are few that leave it.
-void settle_within_class(const SegmentScene& scene, const Surface& surface, Task& task,
-                         PlaneFit& fit) {
+void settle_within_class(const SegmentScene& scene, const Surface& surface,
+                         std::span<const uint8_t> inner, Task& task, PlaneFit& fit) {
   PlaneFit settled = fit;
-  if (!settle_surface(scene, surface, task, settled)) return;
+  if (!settle_surface(scene, surface, inner, task, settled)) return;
   const auto class_of = [&](const PlaneFit& f) {
     return scene.axes->classify(f.plane.normal, scene.settings.orientation_tolerance_rad);
   };
@@ -38,14 +38,19 @@ void settle_within_class(const SegmentScene& scene, const Surface& surface, Task
 
 void fit_plane_segment(const SegmentScene& scene, Surface& surface, Task& task, Segment& segment) {
   segment.area_m2 = surface.area_m2;
+  const std::vector<uint8_t> inner = points_off_border(scene, surface, task);
   for (int round = 0; round < kFitRounds;
        ++round) {  // the core depends on the plane: to a fixed point
-    if (!fit_core(scene, surface, task, segment.fit))
+    if (!fit_core(scene, surface, inner, task, segment.fit))
       fail(Status::kInternal, "a segment lost its plane");
+    const bool is_fixed = surface.plane.normal == segment.fit.plane.normal &&
+                          surface.plane.offset == segment.fit.plane.offset &&
+                          surface.sigma_m == segment.fit.sigma;
     surface.plane = segment.fit.plane;
     surface.sigma_m = segment.fit.sigma;
+    if (is_fixed) break;
   }
-  settle_within_class(scene, surface, task, segment.fit);
+  settle_within_class(scene, surface, inner, task, segment.fit);
   const auto extent_of = [&](size_t begin, size_t end) {
     FlatBox part;
     for (size_t i = begin; i < end; ++i) {

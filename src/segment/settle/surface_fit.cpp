@@ -56,7 +56,8 @@ struct CoreMoments {
   }
 };
 
-CoreMoments core_moments(const SegmentScene& scene, const Surface& surface, Task& task) {
+CoreMoments core_moments(const SegmentScene& scene, const Surface& surface,
+                         std::span<const uint8_t> inner, Task& task) {
   const SurfaceSettings& settings = scene.settings;
   const double reach =
       settings.uses_normals() && surface.sigma_m > 0
@@ -64,9 +65,6 @@ CoreMoments core_moments(const SegmentScene& scene, const Surface& surface, Task
                      std::max(kCoreSigmas * surface.sigma_m, core_reach(settings, surface.sigma_m)))
           : INFINITY;
   const double min_cosine = scene.min_cosine();
-  std::vector<uint8_t> inner(surface.positions.size(), 0);
-  if (settings.connectivity && settings.reassign && inner.size() >= kLeastInnerPoints)
-    inner = inner_points(scene, surface, task);
   CoreMoments zero;
   zero.all.reference = zero.inner.reference = scene.local(surface.positions[0]);
   const auto part_of = [&](size_t begin, size_t end) {
@@ -77,7 +75,7 @@ CoreMoments core_moments(const SegmentScene& scene, const Surface& surface, Task
       if (std::fabs(surface.plane.distance(p)) > reach) continue;
       if (scene.inconsistent(surface.positions[i], surface.plane.normal, min_cosine)) continue;
       part.all.add(p);
-      if (inner[i] != 0) part.inner.add(p);
+      if (!inner.empty() && inner[i] != 0) part.inner.add(p);
     }
     return part;
   };
@@ -108,17 +106,29 @@ bool border_shifts(const PlaneFit& all, const PlaneFit& inner) {
 
 }  // namespace
 
+std::vector<uint8_t> points_off_border(const SegmentScene& scene, const Surface& surface,
+                                       Task& task) {
+  const bool asked = scene.settings.connectivity && scene.settings.reassign &&
+                     surface.positions.size() >= kLeastInnerPoints;
+  return asked ? inner_points(scene, surface, task) : std::vector<uint8_t>{};
+}
+
 bool fit_core(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
+  return fit_core(scene, surface, points_off_border(scene, surface, task), task, fit);
+}
+
+bool fit_core(const SegmentScene& scene, const Surface& surface, std::span<const uint8_t> inner,
+              Task& task, PlaneFit& fit) {
   if (surface.positions.size() < 3) return false;
-  const CoreMoments core = core_moments(scene, surface, task);
+  const CoreMoments core = core_moments(scene, surface, inner, task);
   if (!fit_plane(core.all, fit)) return false;
-  PlaneFit inner;
+  PlaneFit inside;
   const auto share = static_cast<double>(core.inner.n) / static_cast<double>(core.all.n);
   if (core.inner.n < kLeastInnerPoints || share < kLeastInner) return true;
-  if (!fit_plane(core.inner, inner) || inner.eigenvalues[1] < kLeastInner * fit.eigenvalues[1])
+  if (!fit_plane(core.inner, inside) || inside.eigenvalues[1] < kLeastInner * fit.eigenvalues[1])
     return true;
-  if (!border_shifts(fit, inner)) return true;
-  fit = inner;
+  if (!border_shifts(fit, inside)) return true;
+  fit = inside;
   fit.sigma = rms_about(core.all, fit.plane);
   return true;
 }
@@ -127,11 +137,13 @@ namespace {
 
 // The points of a surface as seen from its plane, each with its zone: its normal must agree, as in the core.
 std::vector<PlaneSample> samples_of(const SegmentScene& scene, const Surface& surface,
-                                    const PlaneFit& fit, Task& task) {
+                                    std::span<const uint8_t> inner, const PlaneFit& fit,
+                                    Task& task) {
   const double tolerance = scene.settings.distance_tolerance_m, min_cosine = scene.min_cosine();
   const bool by_pixels = surface.positions.size() > kMostForBorder;
   std::vector<uint8_t> zones(surface.positions.size(), 1);
-  if (by_pixels) zones = inner_points(scene, surface, task);
+  if (by_pixels && !inner.empty()) zones.assign(inner.begin(), inner.end());
+  else if (by_pixels) zones = inner_points(scene, surface, task);
   std::vector<PlaneSample> samples(surface.positions.size());
   parallel_for(task, samples.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
@@ -159,8 +171,9 @@ std::vector<PlaneSample> samples_of(const SegmentScene& scene, const Surface& su
 
 }  // namespace
 
-bool settle_surface(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
-  std::vector<PlaneSample> samples = samples_of(scene, surface, fit, task);
+bool settle_surface(const SegmentScene& scene, const Surface& surface,
+                    std::span<const uint8_t> inner, Task& task, PlaneFit& fit) {
+  std::vector<PlaneSample> samples = samples_of(scene, surface, inner, fit, task);
   return settle_contaminated_plane(samples, scene.settings.distance_tolerance_m, task, fit);
 }
 

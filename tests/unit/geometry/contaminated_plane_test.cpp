@@ -120,6 +120,19 @@ TEST_CASE("contaminated_plane__is_least_squares_among_points_of_its_own") {
   CHECK(settled_squares <= 1.2 * squares);  // efficiency
 }
 
+TEST_CASE("contaminated_plane__from_a_start_among_few_of_many_comes_to_the_same_maximum") {
+  const ContaminatedPlaneDraw many = strip(7, 78000, 2000);  // as many as have such a start
+  ContaminatedPlaneDraw fewer = many;
+  fewer.points.pop_back();
+  fewer.zones.pop_back();
+  PlaneFit a = least_squares(many), b = least_squares(fewer);
+  REQUIRE(settle(many, a));
+  REQUIRE(settle(fewer, b));
+  const double standard_error_m = kSigma_m / std::sqrt(78000.0);
+  for (const Vec3& p : {Vec3{0.2, 1.2, 0}, Vec3{0.4, 0, 0}, Vec3{0, 2.4, 0}})
+    CHECK(std::fabs(a.plane.distance(p) - b.plane.distance(p)) < 0.05 * standard_error_m);
+}
+
 TEST_CASE("contaminated_plane__leaves_what_it_cannot_tell") {
   const ContaminatedPlaneDraw little = strip(1, 12, 0);
   PlaneFit fit = least_squares(little);
