@@ -133,18 +133,18 @@ class Grower {
     if (is_bent(fit, points_, region.members)) return false;
     surface.plane = fit.plane;
     surface.sigma_m = fit.sigma;
-    std::vector<float> spacings(region.members.size());
     std::vector<Vec2> uv(region.members.size());
     const FlatFrame frame = plane_frame(fit.plane, fit.centroid);
     std::sort(region.members.begin(), region.members.end());
     for (size_t i = 0; i < region.members.size(); ++i) {
       const uint32_t position = points_.position(region.members[i]);
       surface.positions.push_back(position);
-      spacings[i] = scene_.spacing[position];
       uv[i] = frame(points_.tree->local(region.members[i]));
     }
     std::sort(surface.positions.begin(), surface.positions.end());
-    surface.pixel_m = connectivity_pixel(settings, std::move(spacings));
+    surface.pixel_m = connectivity_pixel(
+        settings, region.members.size(),
+        [&](size_t i) { return scene_.spacing[points_.position(region.members[i])]; }, task_);
     surface.area_m2 = occupied_area_m2(bounded_raster(uv, surface.pixel_m, 0));
     return surface.area_m2 >= kPieceShare * settings.min_area_m2;
   }

@@ -39,11 +39,9 @@ std::vector<Vec3> points_of(const PointPool& pool, const CurvedExtractionMembers
 }
 
 void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const Curved& curved,
-                         CurvedExtractionMembers& members) {
-  std::vector<float> spacings(members.slots.size());
-  for (size_t i = 0; i < spacings.size(); ++i)
-    spacings[i] = scene.spacing[pool.position(members.slots[i])];
-  members.pixel_m = connectivity_pixel(scene.settings, std::move(spacings));
+                         Task& task, CurvedExtractionMembers& members) {
+  const auto spacing_at = [&](size_t i) { return scene.spacing[pool.position(members.slots[i])]; };
+  members.pixel_m = connectivity_pixel(scene.settings, members.slots.size(), spacing_at, task);
   const std::vector<Vec3> points = points_of(pool, members);
   const SurfaceMap map = curved.map(points);
   std::vector<Vec2> uv(points.size());
@@ -104,7 +102,7 @@ bool settle(const SegmentScene& scene, const PointPool& pool, double edge_m, Tas
   for (int round = 0; round < kCurvedExtractionMaxRounds; ++round) {
     members.slots = pool.collect(curved_test(scene, surface.curved, edge_m, reach), task);
     if (members.slots.empty()) return false;
-    keep_largest_region(scene, pool, surface.curved, members);
+    keep_largest_region(scene, pool, surface.curved, task, members);
     if (!large_enough_of_curved_extraction(settings, members) ||
         !fit_members(scene, pool, members, task, surface))
       return false;
@@ -133,7 +131,7 @@ CurvedExtractionMembers members_of(const SegmentScene& scene, const PointPool& p
     return std::fabs(surface.curved.distance(pool.point(slot))) > core &&
            curved_inconsistent(scene, surface.curved, pool.position(slot));
   });
-  if (!members.slots.empty()) keep_largest_region(scene, pool, surface.curved, members);
+  if (!members.slots.empty()) keep_largest_region(scene, pool, surface.curved, task, members);
   return members;
 }
 

@@ -33,16 +33,6 @@ struct ExtractionMembers {
   double area_m2 = 0, pixel_m = 0;
 };
 
-std::vector<float> spacings_of(const SegmentScene& scene, const PointPool& pool, Task& task,
-                               const ExtractionMembers& members) {
-  std::vector<float> spacings(members.slots.size());
-  parallel_for(task, spacings.size(), kExtractionPointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i)
-      spacings[i] = scene.spacing[pool.position(members.slots[i])];
-  });
-  return spacings;
-}
-
 // Keeps of the slots those in the raster's region.
 template <class At>
 void keep_in(const RegionRaster& raster, const At& at, Task& task, std::vector<uint32_t>& slots) {
@@ -61,7 +51,8 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
                          Task& task, ExtractionMembers& members) {
   const SurfaceSettings& settings = scene.settings;
   const size_t n = members.slots.size();
-  members.pixel_m = connectivity_pixel(settings, spacings_of(scene, pool, task, members));
+  const auto spacing_at = [&](size_t i) { return scene.spacing[pool.position(members.slots[i])]; };
+  members.pixel_m = connectivity_pixel(settings, n, spacing_at, task);
   task.checkpoint(0);
   const FlatFrame frame = plane_frame(plane, pool.point(members.slots[0]));
   const auto at = [&](size_t i) { return frame(pool.point(members.slots[i])); };

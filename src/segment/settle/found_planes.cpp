@@ -36,9 +36,8 @@ bool describe(const SegmentScene& scene, Surface& surface, Task& task) {
     return false;
   surface.plane = fit.plane;
   surface.sigma_m = fit.sigma;
-  std::vector<float> spacings(n);
-  for (size_t i = 0; i < n; ++i) spacings[i] = scene.spacing[surface.positions[i]];
-  surface.pixel_m = connectivity_pixel(settings, std::move(spacings));
+  surface.pixel_m = connectivity_pixel(
+      settings, n, [&](size_t i) { return scene.spacing[surface.positions[i]]; }, task);
   surface.area_m2 =
       occupied_area_m2(bounded_raster(flat_points(scene, surface, task), surface.pixel_m, 0, task));
   return surface.area_m2 >= kLeastPiece * settings.min_area_m2;

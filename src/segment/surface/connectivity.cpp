@@ -11,9 +11,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSpacingsPerPixel =
-    2;  // 4 points a pixel on average: 2 % of the pixels of a surface stay empty
-constexpr double kSpacingPercentile = 0.8;
 constexpr double kMaxPixels = 1 << 24;  // 16 MiB; longer scenes get coarser pixels
 constexpr uint32_t kMaxGapPixels = 256;
 
@@ -65,16 +62,6 @@ Raster empty_raster(const FlatBox& box, double pixel_m, uint32_t margin) {
 FlatFrame plane_frame(const Plane& plane, const Vec3& near) {
   const SurfaceAxes axes = plane_axes(plane.normal);
   return {near, axes.u, axes.v};
-}
-
-double connectivity_pixel(const SurfaceSettings& settings, std::vector<float> spacings) {
-  if (settings.pixel_m > 0) return settings.pixel_m;
-  if (spacings.empty()) return settings.distance_tolerance_m;
-  const auto at =
-      static_cast<ptrdiff_t>(kSpacingPercentile * static_cast<double>(spacings.size() - 1));
-  std::nth_element(spacings.begin(), spacings.begin() + at, spacings.end());
-  const double spacing = spacings[static_cast<size_t>(at)];
-  return std::max(settings.distance_tolerance_m, kSpacingsPerPixel * spacing);
 }
 
 double occupied_area_m2(const Raster& raster) {

@@ -11,6 +11,7 @@
 
 #include "base/parallel.h"
 #include "base/task.h"
+#include "segment/surface/nth_value.h"
 #include "segment/surface/scene.h"
 #include "spatial/raster.h"
 
@@ -31,8 +32,19 @@ struct Region {
 
 /// Pixel of the connectivity raster: the user's, or twice the spacing (its 80th percentile among the points, since
 /// holes of the raster matter where points are sparse), never below the tolerance, which is as fine as the plane
-/// itself is known.
-double connectivity_pixel(const SurfaceSettings& settings, std::vector<float> spacings);
+/// itself is known. spacing_at(0) ... spacing_at(n - 1) from any thread.
+template <class At>
+double connectivity_pixel(const SurfaceSettings& settings, size_t n, const At& spacing_at,
+                          Task& task) {
+  constexpr double kSpacingsPerPixel =
+      2;  // 4 points a pixel on average: 2 % of the pixels of a surface stay empty
+  constexpr double kSpacingPercentile = 0.8;
+  if (settings.pixel_m > 0) return settings.pixel_m;
+  if (n == 0) return settings.distance_tolerance_m;
+  const auto nth = static_cast<size_t>(kSpacingPercentile * static_cast<double>(n - 1));
+  return std::max(settings.distance_tolerance_m,
+                  kSpacingsPerPixel * static_cast<double>(nth_value(n, nth, spacing_at, task)));
+}
 
 /// What makes a surface one.
 struct RegionRule {

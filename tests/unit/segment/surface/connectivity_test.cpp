@@ -38,13 +38,16 @@ TEST_CASE("fragments below the minimum area do not ride along") {
 
 TEST_CASE("the pixel follows the spacing but never falls below the tolerance") {
   SurfaceSettings settings;
-  CHECK(connectivity_pixel(settings, {}) == settings.distance_tolerance_m);
-  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.001f)) ==
-        settings.distance_tolerance_m);
-  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) ==
-        doctest::Approx(0.2).scale(0));
+  Task task;
+  const auto pixel_of = [&](size_t n, float spacing) {
+    return connectivity_pixel(
+        settings, n, [&](size_t) { return spacing; }, task);
+  };
+  CHECK(pixel_of(0, 0) == settings.distance_tolerance_m);
+  CHECK(pixel_of(50, 0.001f) == settings.distance_tolerance_m);
+  CHECK(pixel_of(50, 0.1f) == doctest::Approx(0.2).scale(0));
   settings.pixel_m = 0.07;
-  CHECK(connectivity_pixel(settings, std::vector<float>(50, 0.1f)) == 0.07);
+  CHECK(pixel_of(50, 0.1f) == 0.07);
 }
 
 TEST_CASE("an image by all threads is that by one, pixel by pixel") {
