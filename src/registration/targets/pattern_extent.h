@@ -17,6 +17,7 @@ struct PatternExtent {
   double misfit = 1;
   double contrast_to_noise = 0;  ///< difference of bright and dark over the noise
   uint64_t points = 0;
+  double round_chance = 1;  ///< of a disc: that its outline is one (disc_outline.h)
 };
 
 /// The border of four quadrants: where bright and dark ones end in the same ground, or where the

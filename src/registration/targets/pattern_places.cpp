@@ -33,7 +33,9 @@ constexpr double kLeastOfCell = 4;  // points whose scatter tells of noise
 constexpr double kLeastContrast = 2;  // noises: less is not looked at
 constexpr size_t kCellsAtOnce = 64;
 constexpr const char* kMeanField = "mean";
-constexpr double kApart = 0.5;  // of a size: nearer places are of one pattern
+// Of a size: nearer places are of one pattern. The place nearest to a centre may be half a cell off it, and a corner of
+// the sheet, half a size from it, more alike.
+constexpr double kApart = 0.3;
 
 struct Spot {
   double u, v, value;

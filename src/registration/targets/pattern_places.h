@@ -23,7 +23,7 @@ struct PatternPlace {
 /// however turned) or what is near the place against what is not (a disc). Where points are dense, means of cells are
 /// looked at first, and the points only where these show something.
 ///
-/// After: of places less than half a size apart the one most alike; the most alike first. The same
+/// After: of places less than 0.3 of a size apart the one most alike; the most alike first. The same
 /// for any number of threads.
 std::vector<PatternPlace> pattern_places(const Cloud& cloud, const Octree& tree,
                                          const Column& intensity, TargetKind kind, double size_m,

@@ -92,7 +92,7 @@ std::optional<RecognisedTarget> read_at(const Cloud& cloud, const Octree& tree,
   setting.pattern = is_checker ? TargetPattern::kChecker : TargetPattern::kDisc;
   RecognisedTarget out;
   out.place = at.place;
-  double size = at.size_m;
+  double size = at.size_m, round_chance = 1;
   for (int pass = 0; pass < 2; ++pass) {  // the second at its own size
     setting.size_m = size;
     // Of its own size nothing but the sheet is looked at: what it sticks on would take the plane along.
@@ -111,10 +111,11 @@ std::optional<RecognisedTarget> read_at(const Cloud& cloud, const Octree& tree,
         std::hypot(extent->sigma_m, is_checker ? kAskew * setting.tolerance_m / 2 : 0);
     out.misfit = extent->misfit;
     out.contrast_to_noise = extent->contrast_to_noise;
+    round_chance = extent->round_chance;
     out.place += out.measured.centre;
     out.measured.centre = {};
   }
-  out.pattern_confidence = chance_of_pattern(at.kind, out.misfit);
+  out.pattern_confidence = chance_of_pattern(at.kind, out.misfit) * round_chance;
   return out;
 }
 
@@ -128,8 +129,21 @@ void require_brightness(const Cloud& cloud, const Column& intensity, const std::
       name.c_str());
 }
 
+// A quadrant of a checker, read as a disc.
+bool is_quadrant_of(const RecognisedTarget& disc, const RecognisedTarget& checker) {
+  if (disc.measured.kind != TargetKind::kDisc || checker.measured.kind != TargetKind::kChecker)
+    return false;
+  const double apart = norm(disc.centre() - checker.centre()) / checker.size_m;
+  return disc.size_m < checker.size_m && apart > kSameCentre && apart < kSamePlace;
+}
+
 // Readings of the same pattern: the likelier stands; another kind that is about as likely makes it ambiguous.
-std::vector<RecognisedTarget> best_readings(std::vector<RecognisedTarget> all) {
+std::vector<RecognisedTarget> best_readings(std::vector<RecognisedTarget> read) {
+  std::vector<RecognisedTarget> all;
+  for (const RecognisedTarget& reading : read)
+    if (std::none_of(read.begin(), read.end(),
+                     [&](const auto& o) { return is_quadrant_of(reading, o); }))
+      all.push_back(reading);
   std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) {
     return a.misfit != b.misfit ? a.misfit < b.misfit : a.size_m > b.size_m;
   });

@@ -55,6 +55,18 @@ TEST_CASE("checker_extent__is_its_edge_whatever_the_ground") {
   }
 }
 
+TEST_CASE("checker_extent__ends_on_a_dark_ground_seen_beside_the_dark_quadrants_alone") {
+  Task task;
+  // Behind the sheet to its left the ground is too deep to be looked at.
+  auto points = field_of([](double u, double v) { return checker(u, v, 45); }, 7);
+  std::erase_if(points, [](const BrightPoint& p) {
+    return std::max(std::fabs(p.u), std::fabs(p.v)) > 0.051 && p.u * p.v > 0;
+  });
+  const auto found = checker_extent(points, 0.08, 0.25, task);
+  REQUIRE(found);
+  CHECK(std::fabs(found->size_m - 0.1) < kPitch_m);
+}
+
 TEST_CASE("checker_extent__ends_where_the_points_end") {
   Task task;
   const auto sheet = field_of([](double u, double v) { return checker(u, v, 0); }, 2, 0.05);
@@ -91,6 +103,8 @@ TEST_CASE("disc_extent__tells_a_disc_from_a_square_and_from_half_a_disc") {
   const auto other = disc_extent(square, 0.1, 0.0005);
   REQUIRE(other);
   CHECK(other->misfit > 0.04);
+  CHECK(found->round_chance > 0.99);
+  CHECK(other->round_chance < 0.01);
   std::vector<BrightPoint> half;
   for (const BrightPoint& p : disc)
     if (p.u > 0) half.push_back(p);

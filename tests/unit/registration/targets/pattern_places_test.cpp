@@ -28,7 +28,7 @@ TEST_CASE("pattern_places__lie_near_the_patterns_and_rank_them_first") {
     CHECK(places[0].likeness > 0.5);
     for (size_t i = 1; i < places.size(); ++i) {
       CHECK(places[i].likeness <= places[i - 1].likeness);
-      for (size_t k = 0; k < i; ++k) CHECK(norm(places[i].place - places[k].place) >= 0.05);
+      for (size_t k = 0; k < i; ++k) CHECK(norm(places[i].place - places[k].place) >= 0.03);
     }
   }
 }

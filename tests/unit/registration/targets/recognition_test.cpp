@@ -85,6 +85,36 @@ TEST_CASE("recognition__finds_nothing_on_a_wall_of_windows_stripes_and_tiles") {
   CHECK(recognised(scan_of(wall, 3), kCatalogue).empty());
 }
 
+TEST_CASE("recognition__reads_no_disc_in_a_noisy_square_or_in_a_quadrant") {
+  TargetWall wall = plain_wall();
+  wall.width_m = 2, wall.spacing_m = 0.009, wall.spot_m = 0.011, wall.brightness_noise = 0.13;
+  const Sheet square{1.4,
+                     1,
+                     0,
+                     0.15,
+                     0.005,
+                     [](double x, double y) {
+        return std::max(std::fabs(x), std::fabs(y)) < 0.06 ? 0.08 : 0.9; }};
+  wall.sheets = {checker_sheet(0.6, 1, 0.2, 0.15), square};
+  for (uint64_t seed = 11; seed < 13; ++seed) {
+    const auto found = recognised(scan_of(wall, seed), kCatalogue);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0].measured.kind == TargetKind::kChecker);
+  }
+}
+
+TEST_CASE("recognition__reads_sizes_on_a_dark_wall") {
+  TargetWall wall = plain_wall();
+  wall.wall_brightness = 0.12, wall.wave_m = 0.015, wall.pitch_m = 0.1, wall.oblique_rad = 0.5;
+  wall.sheets = {checker_sheet(0.7, 1, 0.2, 0.15), checker_sheet(1.5, 1.2, 0.5, 0.1)};
+  const auto found = recognised(scan_of(wall, 6), kCatalogue);
+  REQUIRE(found.size() == 2);
+  for (size_t i = 0; i < 2; ++i) {
+    CHECK(found[i].verdict == TargetVerdict::kKnown);
+    CHECK(found[i].entry == static_cast<int32_t>(i));
+  }
+}
+
 TEST_CASE("recognition__says_what_a_scan_lacks") {
   Task task;
   const auto status = [&](const Cloud& cloud) {
