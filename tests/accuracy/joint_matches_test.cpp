@@ -9,7 +9,7 @@
 
 // Matches by rays against perfect ones: a closed street with roofs, ground, and things 5 m high before the houses that
 // the model lacks, 5 mm of noise; one setting, the default, for all five scenarios. Developed with seeds from 9001 on;
-// the long run has 9101 to 9150; last reported: 9301 to 9350. JALON_JOINT_SEEDS=first-last: others.
+// the long run has 9101 to 9150; last reported: 9351 to 9400. JALON_JOINT_SEEDS=first-last: others.
 
 namespace jalon::joint_matches_test {
 
@@ -75,10 +75,6 @@ Matched over_draws(size_t scenario, double covered, bool with_literal) {
   return made;
 }
 
-// Not reached over 50 draws, told and not asserted: a strip that no beam reaches, drawn onto a parallel wall 8 m
-// further on, is 4 m off (scenario 4, one such strip in some draws).
-bool is_reached(size_t scenario, size_t group) { return !(scenario == 3 && group == kOfStrips); }
-
 }  // namespace
 
 TEST_CASE("joint_matches__by_rays__come_near_to_perfect_ones_in_five_scenarios") {
@@ -87,8 +83,7 @@ TEST_CASE("joint_matches__by_rays__come_near_to_perfect_ones_in_five_scenarios")
     const Matched made = over_draws(scenario, kTenth, true);
     made.tell("scenario " + std::to_string(scenario + 1), true);
     CHECK(made.clutter >= 0.1 * made.draws);
-    for (size_t g = 0; g < kLeftGroups; ++g)
-      if (is_reached(scenario, g)) CHECK(made.ratio(g) <= 1.5);
+    for (size_t g = 0; g < kLeftGroups; ++g) CHECK(made.ratio(g) <= 1.5);
   }
 }
 

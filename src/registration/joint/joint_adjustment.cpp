@@ -63,7 +63,9 @@ class JointLoop {
     if (settings.kernel != JointSettings::Kernel::kNone &&
         settings.matches == JointSettings::Matches::kRays) {
       places_.model.blocks = find_blocks(made_.points, scene_, settings, task);
-      places_.model.strips = find_strips(made_.points, scene_, settings, task);
+      FoundStrips found = find_strips(made_.points, scene_, settings, task);
+      places_.model.strips = std::move(found.offsets_m);
+      is_doubtful_ = std::move(found.is_doubtful);
     }
     for (size_t c = 0; c < controls; ++c)
       made_.trajectory_priors.push_back({problem_.x.sigmas_m[c], problem_.y.sigmas_m[c]});
@@ -85,6 +87,7 @@ class JointLoop {
     std::vector<PointMatch> matches = match_points(made_.points, scene_, places_, settings_, task_);
     leave_unsteady_out(matches);
     made_.weights = strip_weights(made_.points, scene_, matches, settings_);
+    leave_doubtful_out(matches);
     count(matches, pass);
     made_.matches = std::move(matches);
     std::vector<uint32_t> strip_of_point;
@@ -141,6 +144,13 @@ class JointLoop {
       if (was_out || !(matches[i] == made_.matches[i]))
         matches[i] = {made_.matches[i].strip, MatchState::kUnsteady, matches[i].distance_m};
     }
+  }
+
+  // Points of a strip that may be of another (strip_search.h) count for neither.
+  void leave_doubtful_out(const std::vector<PointMatch>& matches) {
+    if (is_doubtful_.empty()) return;
+    for (size_t i = 0; i < matches.size(); ++i)
+      if (matches[i].strip != kNoStrip && is_doubtful_[matches[i].strip]) made_.weights[i] = 0;
   }
 
   JointSolution solve(JointWanted wanted) const {
@@ -250,6 +260,7 @@ class JointLoop {
   JointProblem problem_;
   StripConditions conditions_;
   JointPlaces places_;
+  std::vector<bool> is_doubtful_;  ///< of the strips; empty where they were not looked for
   std::vector<double> xyz_;
   JointAdjustment made_;
 };

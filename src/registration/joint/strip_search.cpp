@@ -17,6 +17,9 @@ namespace {
 constexpr double kCell_m = 2;  // about a strip's width
 // Beams that go through a strip and end so much farther behind it than its points may still tell that they do.
 constexpr double kBehind_m = 20;
+constexpr double kParallel = 0.94;  // 20 degrees
+// Difference of chi-squares from which one of two strips is the wall: 20 times as likely.
+constexpr double kClear = 6;
 
 double plus_squares(double v, double more) { return v + more * more; }
 
@@ -77,6 +80,24 @@ std::vector<Extent> extents_of(const StripScene& scene) {
   return made;
 }
 
+std::vector<Vec3> middles_of(const StripScene& scene, const std::vector<Extent>& extents) {
+  std::vector<Vec3> made;
+  for (size_t s = 0; s < extents.size(); ++s) {
+    const GivenStrip& strip = scene.strips[s];
+    const bool has_face = extents[s].from < extents[s].to;
+    const double place = has_face ? (extents[s].from + extents[s].to) / 2 : 0;
+    const Vec2 at = strip.normal * strip.offset_m + along(strip) * place;
+    made.push_back({at.u, at.v, 0});
+  }
+  return made;
+}
+double widest_of(const std::vector<Extent>& extents) {
+  double widest = 0;
+  for (const Extent& e : extents)
+    if (e.from < e.to) widest = std::max(widest, e.to - e.from);
+  return widest;
+}
+
 class StripSearch {
  public:
   StripSearch(const JointPoints& points, const StripScene& scene, const JointSettings& settings)
@@ -85,14 +106,28 @@ class StripSearch {
         settings_(settings),
         cells_(points.at),
         extents_(extents_of(scene)),
+        middles_(middles_of(scene, extents_)),
+        widest_m_(widest_of(extents_)),
+        middle_cells_(middles_),
         reach_m_(greatest_deviation(settings) * settings.sigma_strip_m),
         least_alignment_(std::cos(settings.greatest_turn_rad)) {}
 
-  double found(uint32_t s) const {
-    if (!(extents_[s].from < extents_[s].to)) return 0;
+  /// The points of the strip's wall, from front to back; none where too few are seen.
+  std::vector<MetPoint> wall_of(uint32_t s) const {
+    if (!(extents_[s].from < extents_[s].to)) return {};
     std::vector<MetPoint> wall = points_of_wall(before_and_behind(s));
-    if (wall.size() < settings_.least_points) return 0;
-    return wall[wall.size() / 2].distance_m;  // they come from front to back
+    if (wall.size() < settings_.least_points) wall.clear();
+    return wall;
+  }
+
+  /// Most of its wall's points are as likely on a parallel strip, which has no other wall. walls: of all strips.
+  bool is_doubtful(uint32_t s, const std::vector<std::vector<MetPoint>>& walls) const {
+    const std::vector<uint32_t> rivals = rivals_of(s, walls);
+    size_t shared = 0;
+    for (const MetPoint& p : walls[s])
+      shared += std::any_of(rivals.begin(), rivals.end(),
+                            [&](uint32_t rival) { return is_as_likely(rival, p); });
+    return 2 * shared > walls[s].size();
   }
 
  private:
@@ -126,11 +161,50 @@ class StripSearch {
     return made;
   }
 
+  // Strips that look the same way, whose wall is this one's or none.
+  std::vector<uint32_t> rivals_of(uint32_t s,
+                                  const std::vector<std::vector<MetPoint>>& walls) const {
+    std::vector<uint32_t> made;
+    if (walls[s].empty()) return made;
+    const Vec3 mid = middles_[s];
+    const double about = 2 * reach_m_ + widest_m_;
+    middle_cells_.each(
+        {mid.x - about, mid.y - about}, {mid.x + about, mid.y + about}, [&](uint32_t other) {
+          if (other == s || dot(scene_.strips[other].normal, scene_.strips[s].normal) < kParallel)
+            return;
+          if (walls[other].empty() || shares_a_point(walls[other], walls[s])) made.push_back(other);
+        });
+    return made;
+  }
+  static bool shares_a_point(const std::vector<MetPoint>& a, const std::vector<MetPoint>& b) {
+    return std::any_of(a.begin(), a.end(), [&](const MetPoint& p) {
+      return std::any_of(b.begin(), b.end(),
+                         [&](const MetPoint& q) { return p.number == q.number; });
+    });
+  }
+
+  // By the prior of the strips alone, the rest being surer.
+  bool is_as_likely(uint32_t rival, const MetPoint& met) const {
+    const GivenStrip& strip = scene_.strips[rival];
+    const Extent& extent = extents_[rival];
+    const Vec3& p = points_.at[met.number];
+    const double place = dot(along(strip), {p.x, p.y});
+    if (place < extent.from || place > extent.to || p.z < extent.bottom || p.z > extent.top)
+      return false;
+    const double off = strip.normal.u * p.x + strip.normal.v * p.y - strip.offset_m;
+    const double sigma = settings_.sigma_strip_m;
+    return std::fabs(off) < reach_m_ &&
+           off * off - met.distance_m * met.distance_m < kClear * sigma * sigma;
+  }
+
   const JointPoints& points_;
   const StripScene& scene_;
   const JointSettings& settings_;
   PlanCells cells_;
   std::vector<Extent> extents_;
+  std::vector<Vec3> middles_;
+  double widest_m_ = 0;
+  PlanCells middle_cells_;
   double reach_m_, least_alignment_;
 };
 
@@ -143,15 +217,27 @@ bool is_strip_search_wanted(const JointPoints& points, const JointSettings& sett
   return reach > kBridged_m && settings.sigma_strip_m > kSurer * sure_part_m(points, settings);
 }
 
-std::vector<double> find_strips(const JointPoints& points, const StripScene& scene,
-                                const JointSettings& settings, Task& task) {
-  std::vector<double> made(scene.strips.size(), 0);
+FoundStrips find_strips(const JointPoints& points, const StripScene& scene,
+                        const JointSettings& settings, Task& task) {
+  const size_t n = scene.strips.size();
+  FoundStrips made{std::vector<double>(n, 0), std::vector<bool>(n, false)};
   if (!is_strip_search_wanted(points, settings)) return made;
   const StripSearch search(points, scene, settings);
+  std::vector<std::vector<MetPoint>> walls(n);
+  std::vector<uint8_t> is_doubtful(n, 0);
   constexpr size_t kStripsGrain = 64;
-  parallel_for(task, made.size(), kStripsGrain, [&](size_t begin, size_t end) {
-    for (size_t s = begin; s < end; ++s) made[s] = search.found(static_cast<uint32_t>(s));
+  parallel_for(task, n, kStripsGrain, [&](size_t begin, size_t end) {
+    for (size_t s = begin; s < end; ++s) walls[s] = search.wall_of(static_cast<uint32_t>(s));
   });
+  parallel_for(task, n, kStripsGrain, [&](size_t begin, size_t end) {
+    for (size_t s = begin; s < end; ++s)
+      is_doubtful[s] = search.is_doubtful(static_cast<uint32_t>(s), walls);
+  });
+  for (size_t s = 0; s < n; ++s) {
+    made.is_doubtful[s] = is_doubtful[s] != 0;
+    if (!walls[s].empty() && !made.is_doubtful[s])
+      made.offsets_m[s] = walls[s][walls[s].size() / 2].distance_m;
+  }
   return made;
 }
 

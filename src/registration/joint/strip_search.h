@@ -9,12 +9,21 @@
 
 namespace jalon {
 
-/// How far each strip stands off along its normal before anything is adjusted: to the wall (strip_surfaces.h) among the
-/// points before and behind it that the sigmas allow. A strip that stands metres before its wall meets the beams of its
-/// neighbours' instead, and its own pass beside it. All else is taken as it is given, so that it must be surer than the
-/// strips: else, and where no wall is seen, a strip stays where it is given. O(points + strips points about them).
-std::vector<double> find_strips(const JointPoints& points, const StripScene& scene,
-                                const JointSettings& settings, Task& task);
+/// What is found of the strips before anything is adjusted.
+struct FoundStrips {
+  std::vector<double>
+      offsets_m;  ///< how far each stands off along its normal; 0 where no wall is found
+  /// Another strip may be that wall as well, and nothing tells which of them is hidden: neither is evidence.
+  std::vector<bool> is_doubtful;
+};
+
+/// Each strip's offset: to the wall (strip_surfaces.h) among the points before and behind it that the sigmas allow. A
+/// strip that stands metres before its wall meets the beams of its neighbours' instead, and its own pass beside it. A
+/// wall that a parallel strip may be, by its own sigma not much less likely, is given to neither: they stay where they
+/// are given and are doubtful. All else is taken as it is given, so that it must be surer than the strips: else, and
+/// where no wall is seen, a strip stays where it is given. O(points + strips (points and strips about them)).
+FoundStrips find_strips(const JointPoints& points, const StripScene& scene,
+                        const JointSettings& settings, Task& task);
 
 /// By the sigmas: strips may be off by more than the loop bridges, and by more than everything else together.
 bool is_strip_search_wanted(const JointPoints& points, const JointSettings& settings);

@@ -36,10 +36,21 @@ struct OneStrip {
         points.index.push_back(static_cast<uint32_t>(points.index.size()));
       }
   }
-  double found() const {
-    Task task;
-    return find_strips(points, scene, settings, task)[0];
+  /// A second strip, as long and as high, at this place; it looks the same way.
+  void rival(double y, double from_x = 0) {
+    const auto first = static_cast<uint32_t>(scene.strips.size());
+    scene.strips.push_back({0, 0, {0, -1}, -y});
+    const Vec3 p{from_x, y, 0}, way{1.5, 0, 0}, up{0, 0, 9};
+    for (const Vec3& c : {p, p + way, p + way + up, p, p + way + up, p + up})
+      scene.corners.push_back(c);
+    scene.face_of.insert(scene.face_of.end(), {first, first});
+    scene.strip_of_face.push_back(first), scene.block_of_face.push_back(0);
   }
+  FoundStrips all() const {
+    Task task;
+    return find_strips(points, scene, settings, task);
+  }
+  double found() const { return all().offsets_m[0]; }
 };
 
 }  // namespace
@@ -67,6 +78,31 @@ TEST_CASE("find_strips__with_no_wall_within_reach_or_of_another_turn__leaves_it"
   turned.surface(-1, 0.5, 8.5);
   for (Vec2& n : turned.points.normal) n = {1, 0};
   CHECK(turned.found() == 0);
+}
+
+TEST_CASE(
+    "find_strips__with_one_wall_for_two_strips__gives_it_to_none_or_to_the_far_likelier_one") {
+  // 3.9 m before one strip and 4.3 m before the other, which hides the former in truth.
+  OneStrip two;
+  two.rival(0.4);
+  two.surface(-3.9, 0.5, 8.5);
+  FoundStrips found = two.all();
+  CHECK(found.is_doubtful == std::vector<bool>{true, true});
+  CHECK(found.offsets_m == std::vector<double>{0, 0});
+  // 0.2 m before one: for the other the wall stands 5.2 m off, e^3 times less likely.
+  OneStrip near;
+  near.rival(5);
+  near.surface(-0.2, 0.5, 8.5);
+  found = near.all();
+  CHECK(!found.is_doubtful[0]);
+  CHECK(found.is_doubtful[1]);
+  CHECK(found.offsets_m[0] == doctest::Approx(0.2));
+  CHECK(found.offsets_m[1] == 0);
+  // Beside each other, or each with its own wall: no rivals.
+  OneStrip beside;
+  beside.rival(0.4, 2);
+  beside.surface(-3.9, 0.5, 8.5);
+  CHECK(!beside.all().is_doubtful[0]);
 }
 
 TEST_CASE("find_strips__that_are_as_sure_as_the_rest__leaves_them") {
