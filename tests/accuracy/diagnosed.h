@@ -7,7 +7,8 @@
 
 namespace jalon::test {
 
-/// Two epochs compared both ways, with levels of detection, and what changed.
+/// Two epochs compared both ways, with levels of detection, and what changed. The comparisons that the diagnosis's
+/// epochs point at are gone when it is back: its regions and changes are what may be read.
 inline Diagnosis diagnosed(const CloudPtr& before, const CloudPtr& after,
                            DistanceSettings::VisibleFrom visibility) {
   Task task;

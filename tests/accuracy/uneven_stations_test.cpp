@@ -105,13 +105,14 @@ struct UnevenTally {
   size_t right = 0, others = 0;
 };
 
-UnevenTally tally_of(const Diagnosis& found) {
+UnevenTally tally_of(const UnevenEpochs& scans) {
+  const Diagnosis found = changes_between(scans.before, scans.after);
   UnevenTally out;
   for (const Change& change : found.changes) {
     const bool came = change.change_class == ChangeClass::kAppearance &&
-                      is_of(found.after.cloud(), change.object.after, kCome);
+                      is_of(*scans.after, change.object.after, kCome);
     const bool went = change.change_class == ChangeClass::kDisappearance &&
-                      is_of(found.before.cloud(), change.object.before, kGone);
+                      is_of(*scans.before, change.object.before, kGone);
     ++(came || went ? out.right : out.others);
   }
   return out;
@@ -145,8 +146,7 @@ TEST_CASE("uneven_stations__what_came_and_went_is_found_and_nothing_else") {
   size_t runs = 0;
   UnevenTally all;
   for (uint64_t seed = seeds.first; seed <= seeds.last; ++seed, ++runs) {
-    const UnevenEpochs scans = epochs_of(seed, true);
-    const UnevenTally one = tally_of(changes_between(scans.before, scans.after));
+    const UnevenTally one = tally_of(epochs_of(seed, true));
     all.right += one.right, all.others += one.others;
   }
   MESSAGE("FIGURE three stations, densities 1 : 10, one box gone and one come: "
