@@ -8,6 +8,9 @@ r"""Fits the weights of src/compare/changes/confidence_weights.h and prints that
         build/release/tests/accuracy/accuracy -tc='change_confidence__of_developed_kinds'
     OMP_NUM_THREADS=1 python3 tests/accuracy/fit_changes.py rows.txt > src/compare/changes/confidence_weights.h
 
+A family behind --keep, as "--keep moved", has the weights that the header holds, and none for features that it lacks;
+one behind --extend its score by these as one feature, beside those that it lacks: where few kinds tell of what is new.
+
 A row, of one statement: the seed, what it says (0 came, 1 went, 2 moved, 3 gave way), whether it is right, the features,
 and behind # the kind of scene, threshold, stations, confidence, whether it is about what changed, and right by class.
 Logistic regression for each of three families (came and went are one) with a Gaussian prior (Bishop 2006, 4.3.4 and
@@ -16,10 +19,14 @@ what was fitted to the others: the weights are for kinds that they have not seen
 of itself: the scores are scaled and shifted by what fits those told (Platt 1999).
 """
 
+import argparse
+import pathlib
+import re
 import sys
 
 import numpy as np
 
+HEADER = pathlib.Path(__file__).parents[2] / "src/compare/changes/confidence_weights.h"
 FAMILIES = [("came or went", (0, 1)), ("moved", (2,)), ("gave way", (3,))]
 PRIORS = [0.001, 0.003, 0.01, 0.03, 0.1, 0.3]  # of the squared weights, a row
 STEPS = 60
@@ -74,15 +81,43 @@ def scaled(p, y):
     return shift, scale
 
 
+def as_it_stands(name):
+    """The weights of a family in the header."""
+    numbers = re.search(r"// " + name + r"\n([^}]*)\}", HEADER.read_text(encoding="utf-8")).group(1)
+    return np.array([float(v) for v in numbers.replace(",", " ").split()])
+
+
+def extended(x, stood):
+    """One, the score as it stands, and the features that it lacks."""
+    return np.column_stack([np.ones(len(x)), x[:, : len(stood)] @ stood, x[:, len(stood) :]])
+
+
+def of_features(w, stood):
+    """Weights of extended features as weights of the features."""
+    out = np.concatenate([w[1] * stood, w[2:]])
+    out[0] += w[0]
+    return out
+
+
 def main():
-    lines = [line.split("#") for path in sys.argv[1:] for line in open(path, encoding="utf-8")]
+    parser = argparse.ArgumentParser()
+    parser.add_argument("rows", nargs="+")
+    for option in ("--keep", "--extend"):
+        parser.add_argument(option, action="append", default=[], choices=[name for name, _ in FAMILIES])
+    asked = parser.parse_args()
+    lines = [line.split("#") for path in asked.rows for line in open(path, encoding="utf-8")]
     table = np.array([line[0].split() for line in lines], dtype=float)
     said, right, features = table[:, 1], table[:, 2], table[:, 3:]
     kind = np.array([" ".join(line[1].split()[:-5]) for line in lines])
     all_told, all_right, weights = [], [], []
     for name, classes in FAMILIES:
+        stood = as_it_stands(name)
+        if name in asked.keep:
+            weights.append((name, np.pad(stood, (0, features.shape[1] - len(stood)))))
+            continue
         of = np.isin(said, classes)
-        x, y, fold = features[of], right[of], kind[of]
+        x = extended(features[of], stood) if name in asked.extend else features[of]
+        y, fold = right[of], kind[of]
         best = None
         for prior in PRIORS:
             told = np.zeros(len(y))
@@ -99,7 +134,7 @@ def main():
         w = scale * weights_of(x, y, best[1])
         w[0] += shift
         print("   standardised " + " ".join(f"{v:.2f}" for v in w * x.std(axis=0)), file=sys.stderr)
-        weights.append((name, w))
+        weights.append((name, of_features(w, stood) if name in asked.extend else w))
         all_told.append(probabilities(np.array([shift, scale]), np.column_stack([np.ones(len(y)), scores(best[2])])))
         all_right.append(y)
     told, y = np.concatenate(all_told), np.concatenate(all_right)

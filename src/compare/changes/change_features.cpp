@@ -150,6 +150,9 @@ void set_own_features(const ObjectMotionJob& job, Change& change) {
   f[kFeatureBesideHidden] = share(beside.hidden, beside.asked);
   f[kFeatureBesideSame] = share(beside.same, beside.asked);
   f[kFeatureBorderAlong] = beside.border_along();
+  f[kFeatureGone] = beside.gone_share();
+  f[kFeatureFacing] = beside.facing_share();
+  f[kFeatureFacingGone] = beside.facing_gone_share();
   f[kFeatureSpread] = distance > 0 ? limited_log(low / distance) : 0;
 }
 

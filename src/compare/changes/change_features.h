@@ -54,6 +54,9 @@ enum ChangeFeature : size_t {
   kFeatureLikeShape,  ///< of what kFeatureLike is of: how like in extents as well, whichever side is up
   kFeatureBorderAlong,  ///< at its borders, how far the changed surface leaves the other epoch's along it: what gave
                         ///< way does, what stands on something does not
+  kFeatureGone,  ///< share of the changed points whose nearest surface of the other epoch is gone or out of sight
+  kFeatureFacing,      ///< how far they face as that surface does
+  kFeatureFacingGone,  ///< both at once: the surface that gave way
   kChangeFeatures
 };
 using ChangeFeatures = std::array<double, kChangeFeatures>;

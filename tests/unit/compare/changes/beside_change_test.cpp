@@ -48,6 +48,12 @@ TEST_CASE("beside_change__a_floor_that_rose_leaves_the_old_one_along_it") {
   CHECK(beside.borders > 10);
   CHECK(beside.border_along() > 0.5);
   CHECK(beside.border_along() <= 1);
+  // The floor that it rose from is seen no more, and both lie as floors do.
+  CHECK(beside.measured > 10);
+  CHECK(beside.gone_share() > 0.5);
+  CHECK(beside.facing_share() > 0.8);
+  CHECK(beside.facing_gone_share() > 0.5);
+  CHECK(beside.facing_gone_share() <= std::min(beside.gone_share(), beside.facing_share()));
 }
 
 TEST_CASE("beside_change__a_box_on_the_floor_leaves_it_across") {
@@ -55,6 +61,10 @@ TEST_CASE("beside_change__a_box_on_the_floor_leaves_it_across") {
       beside_after({floor_with({}, 23), floor_with({{{-0.4, -0.3, 0}, {0.8, 0.6, 0.5}}}, 24)});
   CHECK(beside.borders > 10);
   CHECK(beside.border_along() < 0.3);
+  // What lies nearest to its sides is the floor about it, which is still there.
+  CHECK(beside.measured > 10);
+  CHECK(beside.gone_share() < 0.5);
+  CHECK(beside.facing_gone_share() < 0.3);
 }
 
 TEST_CASE("beside_change__without_points_nothing_is_asked_and_few_borders_are_not_sure") {
@@ -64,6 +74,7 @@ TEST_CASE("beside_change__without_points_nothing_is_asked_and_few_borders_are_no
   add_beside(epochs.after, epochs.before, {}, kNear_m, task, none);
   CHECK(none.asked == 0);
   CHECK(none.border_along() == 0);
+  CHECK(none.facing_gone_share() == 0);
   Beside one;
   one.borders = 1;
   one.along = 1;
