@@ -133,4 +133,13 @@ TEST_CASE("change_confidence__of_deformation_without_overlap") {
   CHECK(all.sure_share() >= 0.9);
 }
 
+// As one change, of what lay there and what lies there now, ten of these went unsaid.
+TEST_CASE("change_confidence__one_thing_in_the_place_of_another_is_two_changes") {
+  constexpr uint64_t kSeed = 14;
+  const ConfidenceFigures all =
+      figures_of(scored_runs("exchanged", known_epochs(exchanged(kSeed), kSeed), kSeed));
+  CHECK(all.planted == 28);
+  CHECK(all.found == all.planted);
+}
+
 }  // namespace jalon::change_confidence_test

@@ -46,6 +46,57 @@ void weigh_ways(const TwoWays& ways, Change& change, std::vector<Change>& others
   others.push_back(std::move(second));
 }
 
+// One epoch of a group.
+ChangeGroup side_of(const ChangeGroup& group, bool is_after) {
+  ChangeGroup out;
+  out.moved_share = group.moved_share;
+  out.box = group.box;
+  if (is_after) {
+    out.after_m2 = group.after_m2;
+    out.object.after = group.object.after;
+    out.object.regions_after = group.object.regions_after;
+  } else {
+    out.before_m2 = group.before_m2;
+    out.object.before = group.object.before;
+    out.object.regions_before = group.object.regions_before;
+  }
+  return out;
+}
+
+double own_confidence(const ObjectMotionJob& job, const ChangeGroup& group, ChangeClass what) {
+  Change change;
+  change.change_class = what;
+  change.object = group.object;
+  set_own_features(job, change);
+  return confidence_of(change);
+}
+
+// Whether pieces of both epochs that touch are two things, one that went and one that came, rather than one change.
+bool are_two_things(const ObjectMotionJob& job, const ChangeGroup& group, const ChangeGroup& was,
+                    const ChangeGroup& is) {
+  if (group.moved_share >= kMovedSurface || group.only_after() || group.only_before() ||
+      std::min(was.points(), is.points()) < kLeastToldPoints)
+    return false;
+  const double apart = std::min(own_confidence(job, was, ChangeClass::kDisappearance),
+                                own_confidence(job, is, ChangeClass::kAppearance));
+  return apart > std::max(own_confidence(job, group, gave_way(job, group)),
+                          own_confidence(job, group, one_sided(group)));
+}
+
+void part_two_things(const ObjectMotionJob& job, std::vector<ChangeGroup>& groups) {
+  std::vector<ChangeGroup> out;
+  for (ChangeGroup& group : groups) {
+    ChangeGroup was = side_of(group, false), is = side_of(group, true);
+    if (are_two_things(job, group, was, is)) {
+      out.push_back(std::move(was));
+      out.push_back(std::move(is));
+    } else {
+      out.push_back(std::move(group));
+    }
+  }
+  groups = std::move(out);
+}
+
 }  // namespace
 
 bool has_evidence(const Comparison& forward, const Comparison& reverse) {
@@ -56,6 +107,7 @@ WeighedChanges classes_by_evidence(const ObjectMotionJob& job, double twin_reach
   std::vector<ChangeGroup> groups = change_groups(job);
   MovedThings things = take_moved_things(job, twin_reach, groups);
   std::erase_if(groups, [](const ChangeGroup& g) { return g.points() < kLeastToldPoints; });
+  part_two_things(job, groups);
   WeighedChanges out{{}, std::move(things.others)};
   std::vector<TwoWays> ways;
   for (ChangeGroup& group : groups) {
