@@ -146,8 +146,9 @@ struct StabilityTally {
 void tally(const SaidOfThings& was, const SaidOfThings& is, StabilityTally& out) {
   constexpr double kSure = 0.9;
   const auto one_way = [&](const SaidOfThings& from, const SaidOfThings& to, bool counts_all) {
-    for (const auto& [thing, said] : from) {
-      const auto other = to.find(thing);
+    for (const auto& one : from) {
+      const Said& said = one.second;
+      const auto other = to.find(one.first);
       const bool is_told = other != to.end();
       const bool is_same = is_told && other->second.what == said.what;
       if (said.confidence >= kSure) {
@@ -183,7 +184,8 @@ void look_at(const SceneKind& kind, uint64_t seed, bool has_stations, Tallies& a
                ? std::pair{epochs.before, epochs.after}
                : std::pair{without_stations(epochs.before), without_stations(epochs.after)};
   };
-  const auto [before, after] = scans(seed);
+  const auto first = scans(seed);
+  const CloudPtr &before = first.first, &after = first.second;
   const SaidOfThings was = said_of(before, after);
   // Every other one in short.
   for (size_t k = 0; k < std::size(kAlterations); k += is_full() ? 1 : 2) {
@@ -192,8 +194,8 @@ void look_at(const SceneKind& kind, uint64_t seed, bool has_stations, Tallies& a
   }
   if (!is_full()) return;
   constexpr uint64_t kOtherDraw = 5000;
-  const auto [again_before, again_after] = scans(seed + kOtherDraw);
-  tally(was, said_of(again_before, again_after), all["drawn anew"]);
+  const auto again = scans(seed + kOtherDraw);
+  tally(was, said_of(again.first, again.second), all["drawn anew"]);
 }
 
 template <class Kinds>
@@ -217,7 +219,9 @@ TEST_CASE("change_stability__what_is_said_of_a_thing_stays") {
   } else {
     look_at_all(kReportedChanges, {358, is_full() ? 359u : 358u}, all);
   }
-  for (const auto& [name, t] : all) {
+  for (const auto& one : all) {
+    const std::string& name = one.first;
+    const StabilityTally& t = one.second;
     tell(name, t);
     CAPTURE(name);
     CHECK(t.things > 0);
