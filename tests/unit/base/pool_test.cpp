@@ -9,6 +9,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/task.h"
 
 using namespace jalon;
@@ -112,4 +113,28 @@ TEST_CASE("pool__a_cancelled_task_leaves_chunks_out_and_ends_with_kCancelled") {
     pool.run(task, 100, Visits::count, &visits);
     for (const auto& n : visits.of) CHECK(n == 1);
   }
+}
+
+TEST_CASE("pool__what_its_threads_take_is_of_the_budget_of_the_call") {
+  struct Seen {
+    std::mutex mutex;
+    std::set<std::thread::id> ids;
+    std::set<MemoryBudget*> budgets;
+    std::condition_variable met;
+  } seen;
+  MemoryBudget budget(1 << 20);
+  const BudgetScope scope(&budget);
+  Task task(on_threads(3));
+  Pool pool(3);
+  const auto meet = [](void* p, size_t) {  // three chunks that wait for one another
+    auto& s = *static_cast<Seen*>(p);
+    std::unique_lock lock(s.mutex);
+    s.ids.insert(std::this_thread::get_id());
+    s.budgets.insert(current_budget());
+    s.met.notify_all();
+    s.met.wait_for(lock, std::chrono::seconds(5), [&] { return s.ids.size() >= 3; });
+  };
+  pool.run(task, 3, meet, &seen);
+  CHECK(seen.ids.size() == 3);
+  CHECK(seen.budgets == std::set<MemoryBudget*>{&budget});
 }

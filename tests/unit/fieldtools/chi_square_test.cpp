@@ -81,14 +81,20 @@ TEST_CASE("chi_square__false_alarms_on_pure_noise__as_the_table_says") {
   RandomStream random(11, 0);
   for (const Row& row : rows) {
     const uint32_t k = classes_for(row.n, 32);
-    uint64_t alarms[3] = {0, 0, 0};
+    uint64_t alarms[3] = {0, 0, 0}, contradictions = 0;
     std::vector<double> values(row.n);
     for (size_t i = 0; i < kDraws; ++i) {
       for (double& v : values) v = law.quantile(random.uniform());
-      const double d = chi_square_distance(values, law, k, task).distance;
+      const auto found = chi_square_distance(values, law, k, task);
+      const double d = found.distance;
       CHECK_FALSE(d > row.n * (k - 1.0) + 1e-9);
-      for (size_t m = 0; m < 3; ++m) alarms[m] += d > chi_square_threshold(k, margins[m]);
+      for (size_t m = 0; m < 3; ++m) {
+        const bool is_beyond = d > chi_square_threshold(k, margins[m]);
+        alarms[m] += is_beyond;
+        contradictions += is_beyond != (found.p_value < margins[m]);
+      }
     }
+    CHECK(contradictions == 0);  // the p-value is that of the threshold's distribution
     double rates[3];
     for (size_t m = 0; m < 3; ++m) {
       rates[m] = 100.0 * static_cast<double>(alarms[m]) / kDraws;
