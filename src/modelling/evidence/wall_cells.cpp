@@ -33,6 +33,7 @@ struct Sight {
   uint32_t own = 0;
   double almost_m = 0;               ///< farther behind the plane than noise puts its own points
   std::vector<uint8_t> is_parallel;  ///< by label
+  std::vector<uint8_t> is_slanted;   ///< by label: planes that are not parallel, as roofs
 
   void mark(const Vec2& p, uint8_t what) {
     mark_cell((p.u - out.origin.u) / out.cell_m, (p.v - out.origin.v) / out.cell_m, what);
@@ -61,10 +62,13 @@ Sight prepared(const Segmentation& segmentation, const CellSource& source,
   sight.own = source.label;
   sight.almost_m = std::max(kAlmost_m, kAlmostSigmas * source.sigma_m);
   sight.is_parallel.assign(segmentation.segments.size() + 1, 0);
-  for (const Segment& segment : segmentation.segments)
-    sight.is_parallel[segment.label] =
-        segment.has_plane() &&
+  sight.is_slanted = sight.is_parallel;
+  for (const Segment& segment : segmentation.segments) {
+    if (!segment.has_plane()) continue;
+    const bool is_parallel =
         std::fabs(dot(segment.fit.plane.normal, source.frame.normal)) >= kSameWayCosine;
+    (is_parallel ? sight.is_parallel : sight.is_slanted)[segment.label] = 1;
+  }
   WallCells& out = sight.out;
   out.frame = source.frame;
   out.on_m = std::max(setting.on_m, kWallCellsSigmas * source.sigma_m);
@@ -99,7 +103,8 @@ uint8_t mark_across(const Sight& sight, const CellSetting& setting, double w, ui
                     bool has_eye) {
   if (std::fabs(w) <= sight.out.on_m) return sight.mark_within(label, w);
   uint8_t what = 0;
-  if (w > 0 && w <= setting.relief_m) what = kMarkRelief;
+  if (w > 0 && w <= setting.relief_m)
+    what = sight.is_slanted[label] != 0 ? kMarkProud : kMarkRelief;
   else if (w > 0 && w <= setting.proud_m)
     what = sight.is_parallel[label] != 0 ? kMarkProud | kMarkParallel : kMarkProud;
   if (has_eye) return what;

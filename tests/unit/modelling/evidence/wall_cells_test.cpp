@@ -100,6 +100,15 @@ TEST_CASE("wall_cells__points_of_another_segment_in_its_thickness_are_told_by_th
   CHECK(state_at(cells_from({holed_wall(), reveal}), 1.02, 1.3) == WallState::kStrip);
 }
 
+TEST_CASE("wall_cells__a_roof_that_meets_the_wall_is_no_relief_of_it") {
+  std::vector<Vec3> eaves;
+  for (double u = 0.7; u < 1.3; u += 0.02)
+    for (double out = 0.035; out < 0.095; out += 0.005) eaves.push_back({u, -out, 1.35 - out});
+  CHECK(!is_wall(state_at(cells_from({holed_wall(), eaves}), 1, 1.29)));
+  for (Vec3& p : eaves) p.y = -0.06;
+  CHECK(state_at(cells_from({holed_wall(), eaves}), 1, 1.29) == WallState::kRelief);
+}
+
 TEST_CASE("wall_cells__rays_from_stations_say_which_cell_they_passed") {
   const Vec3 eye{4, -6, 1.5};
   // Along the rays through hole k: once as far again behind the wall, half-way before it.
