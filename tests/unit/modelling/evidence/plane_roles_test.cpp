@@ -38,6 +38,21 @@ TEST_CASE("tell_roles__a_room_behind_several_houses_is_a_room_although_it_is_lar
   CHECK(evidence[3].role == PlaneRole::kInside);
 }
 
+TEST_CASE("tell_roles__a_room_seen_through_panes_is_one_although_bands_alone_part_its_windows") {
+  std::vector<Vec3> front, panes, room;
+  add_layer(front, 0, 0, 12, 9, 0);
+  for (const double foot : {0.4, 3.4, 6.4}) {
+    cut(front, 0.3, foot, 11.4, 2.4);
+    add_layer(panes, 0.3, foot, 11.4, 2.4, 0.2);
+    add_layer(room, 0.3, foot, 11.4, 2.4, 3);
+  }
+  std::vector<Vec3> few;  // one in four of the places
+  for (size_t i = 0; i < panes.size(); i += 4) few.push_back(panes[i]);
+  CHECK(evidence_of({front, few, room})[2].role == PlaneRole::kInside);
+  // Behind nothing it is the back wall of loggias.
+  CHECK(evidence_of({front, room})[1].role == PlaneRole::kWall);
+}
+
 TEST_CASE("tell_roles__a_wing_that_stands_back_beside_the_front_is_a_wall") {
   std::vector<Vec3> wing = house(6, 4);
   add_layer(wing, 12, 0, 6, 6, 4);
