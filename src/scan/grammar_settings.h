@@ -28,9 +28,12 @@ enum class FacadeKind {
   kNave,
   kWarehouse,
   kStaggered,
-  kCorner
+  kCorner,
+  kMill,
+  kInn,
+  kParade
 };
-constexpr int kFacadeKinds = 20;
+constexpr int kFacadeKinds = 23;
 /// kAny draws among these first ones: a seed keeps its facade when a kind is added.
 constexpr int kDrawnKinds = 12;
 /// As the parameter "kind" has it.
@@ -53,7 +56,8 @@ inline constexpr auto kGrammarRows = setting_rows(
     choice_row<&GrammarSettings::kind>(
         "kind",
         "any|town_house|apartments|shops|arcade|offices|gabled|wings|loggias|church|factory|"
-        "terrace|mansard|timbered|villa|school|sheds|nave|warehouse|staggered|corner",
+        "terrace|mansard|timbered|villa|school|sheds|nave|warehouse|staggered|corner|mill|inn|"
+        "parade",
         "grammar",
         "kind of facade: any: one of the next twelve by the seed; town_house: surrounds, shutters, "
         "balconies; apartments: balconies and blinds; shops: shop fronts, signs, canopies; arcade: "
@@ -67,7 +71,10 @@ inline constexpr auto kGrammarRows = setting_rows(
         "arches, "
         "loading doors above each other; staggered: windows of three sizes on no grid, balconies "
         "in "
-        "recesses; corner: shops, an oriel, a cut corner"),
+        "recesses; corner: shops, an oriel, a cut corner; mill: broad arched windows between "
+        "lesenes; "
+        "inn: "
+        "shutters open beside every window; parade: glazed shops under awnings, thin fins above"),
     number_row<&GrammarSettings::front_m>("front_m", 0, 60, "m", "grammar",
                                           "length of the front; 0: by the seed"),
     integer_row<&GrammarSettings::floors>("floors", 0, 12, "1", "grammar",

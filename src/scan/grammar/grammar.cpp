@@ -18,10 +18,11 @@ constexpr uint64_t kFillingStream = 5;  // of the scene's seed: curtains
 }  // namespace
 
 const char* name_of(FacadeKind kind) {
-  constexpr const char* kNames[] = {
-      "any",   "town_house", "apartments", "shops",   "arcade",    "offices",   "gabled",
-      "wings", "loggias",    "church",     "factory", "terrace",   "mansard",   "timbered",
-      "villa", "school",     "sheds",      "nave",    "warehouse", "staggered", "corner"};
+  constexpr const char* kNames[] = {"any",     "town_house", "apartments", "shops",     "arcade",
+                                    "offices", "gabled",     "wings",      "loggias",   "church",
+                                    "factory", "terrace",    "mansard",    "timbered",  "villa",
+                                    "school",  "sheds",      "nave",       "warehouse", "staggered",
+                                    "corner",  "mill",       "inn",        "parade"};
   static_assert(std::size(kNames) == kFacadeKinds + 1);
   return kNames[static_cast<size_t>(kind)];
 }

@@ -17,11 +17,11 @@ constexpr uint64_t kPlanStream =
 constexpr double kLeastRoom_m = 2;
 
 using Recipe = void (*)(Sketch&);
-constexpr Recipe kRecipes[] = {plan_town_house, plan_apartments, plan_shops,     plan_arcade,
-                               plan_offices,    plan_gabled,     plan_wings,     plan_loggias,
-                               plan_church,     plan_factory,    plan_terrace,   plan_mansard,
-                               plan_timbered,   plan_villa,      plan_school,    plan_sheds,
-                               plan_nave,       plan_warehouse,  plan_staggered, plan_corner};
+constexpr Recipe kRecipes[] = {
+    plan_town_house, plan_apartments, plan_shops,  plan_arcade,  plan_offices, plan_gabled,
+    plan_wings,      plan_loggias,    plan_church, plan_factory, plan_terrace, plan_mansard,
+    plan_timbered,   plan_villa,      plan_school, plan_sheds,   plan_nave,    plan_warehouse,
+    plan_staggered,  plan_corner,     plan_mill,   plan_inn,     plan_parade};
 static_assert(std::size(kRecipes) == kFacadeKinds);
 
 }  // namespace

@@ -116,5 +116,8 @@ void plan_nave(Sketch& sketch);
 void plan_warehouse(Sketch& sketch);
 void plan_staggered(Sketch& sketch);
 void plan_corner(Sketch& sketch);
+void plan_mill(Sketch& sketch);
+void plan_inn(Sketch& sketch);
+void plan_parade(Sketch& sketch);
 
 }  // namespace jalon::grammar
