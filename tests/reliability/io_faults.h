@@ -17,7 +17,7 @@ static const char* const fault_names[] = {"none", "EIO", "ENOSPC", "EINTR", "sho
 /* What kinds of calls can meet which fault: an interrupted or a short transfer is not an error. */
 enum call_kind { kOpens, kTransfers, kNames };
 
-static int io_armed;
+static int io_armed, io_lost_sync; /* the latter: a file was not taken by the disk */
 static long io_calls, io_fault_at, io_faults_met;
 static enum fault io_fault;
 
@@ -40,7 +40,7 @@ static enum fault next_fault(enum call_kind kind) {
 static void arm(enum fault fault, long at) {
   io_fault = fault;
   io_fault_at = at;
-  io_calls = io_faults_met = 0;
+  io_calls = io_faults_met = io_lost_sync = 0;
   __atomic_store_n(&io_armed, 1, __ATOMIC_RELEASE);
 }
 static void disarm(void) { __atomic_store_n(&io_armed, 0, __ATOMIC_RELEASE); }
@@ -73,7 +73,13 @@ ssize_t write(int file, const void* from, size_t bytes) { TRANSFER(write, bytes,
 ssize_t pwrite(int file, const void* from, size_t bytes, off_t at) {
   TRANSFER(pwrite, bytes, file, from, n, at);
 }
-int fsync(int file) { NAMED(fsync, file); }
+int fsync(int file) {
+  struct stat info;
+  const int is_file = REAL(fstat)(file, &info) == 0 && S_ISREG(info.st_mode);
+  if (next_fault(kNames) == kNoFault) return REAL(fsync)(file);
+  if (is_file) io_lost_sync = 1;
+  return -1;
+}
 int rename(const char* from, const char* to) { NAMED(rename, from, to); }
 int mkdir(const char* path, mode_t mode) { NAMED(mkdir, path, mode); }
 int access(const char* path, int how) { NAMED(access, path, how); }

@@ -88,6 +88,8 @@ static void expect_ordinary(const io_job* job, const folder_state* whole, uint64
     if (status != JALON_ERROR_IO && status != JALON_ERROR_NOT_FOUND)
       fail_msg("%s: gave %s: %s", what, jalon_status_name(status), jalon_last_error_message());
     expect_one_line();
+  } else if (io_lost_sync) {
+    fail_msg("%s: succeeded though the disk did not take the file", what);
   } else if (job->reads && read_hash != hash) {
     fail_msg("%s: succeeded with other content", what);
   }
