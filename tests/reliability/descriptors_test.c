@@ -7,6 +7,8 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <pthread.h>
+#include <signal.h>
+#include <sys/resource.h>
 
 enum { kTurns = 1000 };
 
@@ -26,6 +28,24 @@ static void refuse_all(const jalon_cloud* cloud, const char* const* names, int c
     fail_msg("what cannot be opened was");
 }
 
+/* Files that cannot become as large as they must: what fails is open already. */
+static void refuse_to_grow(const jalon_cloud* cloud) {
+  static const char* const names[] = {"c.las", "c.laz", "c.e57", "c.ply", "c.xyz", "c.pcd"};
+  struct rlimit usual, small;
+  assert_int_equal(getrlimit(RLIMIT_FSIZE, &usual), 0);
+  small = usual;
+  small.rlim_cur = 16;
+  void (*const before)(int) = signal(SIGXFSZ, SIG_IGN);
+  assert_int_equal(setrlimit(RLIMIT_FSIZE, &small), 0);
+  for (size_t i = 0; i < sizeof names / sizeof *names; ++i)
+    if (jalon_cloud_write(cloud, path_in(folder, names[i]), NULL, NULL) != JALON_ERROR_IO) {
+      setrlimit(RLIMIT_FSIZE, &usual);
+      fail_msg("%s was written", names[i]);
+    }
+  assert_int_equal(setrlimit(RLIMIT_FSIZE, &usual), 0);
+  signal(SIGXFSZ, before);
+}
+
 static void descriptors__of_three_thousand_failures_are_closed(void** state) {
   (void)state;
   static const char* const names[] = {"broken.las", "broken.laz", "broken.e57", "broken.ply",
@@ -37,6 +57,7 @@ static void descriptors__of_three_thousand_failures_are_closed(void** state) {
   refuse_all(cloud, names, count, 0);
   const int before = open_descriptors();
   for (int i = 0; i < kTurns; ++i) refuse_all(cloud, names, count, i);
+  refuse_to_grow(cloud);
   assert_int_equal(open_descriptors(), before);
   jalon_cloud_release(cloud);
 }

@@ -72,7 +72,7 @@ static void run_refused(uint64_t* at) {
 static void soak__eight_hours_of_drawn_jobs_keep_no_memory(void** state) {
   (void)state;
   uint64_t at = 0, results = 0;
-  long resident[kHours];
+  long resident[kHours], allocated[kHours];
   jalon_task* task = NULL;
   MUST(jalon_task_create(&task));
   for (int i = 0; i < kSizes; ++i) clouds[i] = street_cloud(sizes[i], 21);
@@ -85,6 +85,7 @@ static void soak__eight_hours_of_drawn_jobs_keep_no_memory(void** state) {
     release_made(&out);
   }
   assert_true(results > kOperationCount * kSizes / 2);
+  for (int job = 0; job < kScenarioCount; ++job) MUST(kScenarios[job].run());
   for (int hour = 0; hour < kHours; ++hour) {
     for (int job = 0; job < jobs_an_hour(); ++job) {
       const uint64_t kind = drawn(&at, 8);
@@ -94,6 +95,7 @@ static void soak__eight_hours_of_drawn_jobs_keep_no_memory(void** state) {
     }
     forget_both_ways();
     resident[hour] = resident_kib();
+    allocated[hour] = allocated_bytes();
   }
   long most = 0;
   for (int hour = 1; hour < kHours; ++hour)
@@ -101,8 +103,9 @@ static void soak__eight_hours_of_drawn_jobs_keep_no_memory(void** state) {
   const long slope = (resident[kHours - 1] - resident[1]) / (kHours - 2);
   printf(
       "FIGURE soak: %d hours of %d jobs, %d calls at least, at most %ld KiB above the first hour, "
-      "%ld KiB an hour\n",
-      (int)kHours, jobs_an_hour(), kHours * jobs_an_hour() * kLeastCalls, most, slope);
+      "%ld KiB an hour; %ld bytes more allocated\n",
+      (int)kHours, jobs_an_hour(), kHours * jobs_an_hour() * kLeastCalls, most, slope,
+      allocated[kHours - 1] - allocated[0]);
   for (int i = 0; i < kSizes; ++i) jalon_cloud_release(clouds[i]);
   jalon_task_release(task);
   if (is_sanitized()) return;

@@ -15,6 +15,7 @@ from one_definition import one_definition
 from rooms import CODE, ROOMS, bindings_alone, crowds, includes, layers, sublayers
 from signposts import citations, umbrella
 from source import ROOT, Tally, public_functions, read, strings_of, tree_files, without_comments
+from tolerances import wide_tolerances
 
 MAX_LINES, LONG_LINES, MAX_COLUMNS = 400, 250, 120
 # Every function of the C surface has its status from guard(); these return something else and cannot fail.
@@ -259,6 +260,7 @@ def main():
     tally.check("style: plain file names", names(files))
     tally.check("style: comments cite what a reader can find", citations(files))
     tally.check("style: no fast-math, no flags of one machine, contraction off", fast_math(files, build))
+    tally.check("style: no tolerance of a test as wide as its number", wide_tolerances(files))
     tally.check("style: no unfinished marks, no machine paths", hygiene(files))
     sources = [f for f in files if f.endswith(CODE)]
     long_files = sum(read(f).count("\n") > LONG_LINES for f in sources)

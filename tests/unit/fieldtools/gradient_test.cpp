@@ -128,8 +128,8 @@ TEST_CASE("with_gradient__fields_units_and_points_without_a_gradient") {
     CHECK(std::isnan(size.number(i)) == none);
     CHECK(std::isnan(direction.number(i, 2)) == none);
     if (none) continue;
-    CHECK(size.number(i) == doctest::Approx(0.5).epsilon(1e-5));  // floats
-    CHECK(direction.number(i, 0) == doctest::Approx(0.5).epsilon(1e-5));
+    CHECK(size.number(i) == doctest::Approx(0.5).epsilon(1e-5).scale(0));  // floats
+    CHECK(direction.number(i, 0) == doctest::Approx(0.5).epsilon(1e-5).scale(0));
   }
   set.name = "";
   CHECK(refuses([&] { with_gradient(cloud, "d", set, task); }, Status::kInvalidArgument, "name"));

@@ -40,15 +40,15 @@ TEST_CASE("clearance_of_surfaces__overlapping_and_nested_cubes_meet_with_a_depth
       clearance_of_surfaces(cube, cube_surface({1.75, 0.5, 0.5}, 1, task), {}, task);
   CHECK(over.meet);
   CHECK(over.least.distance_m == 0);
-  CHECK(over.depth_m == doctest::Approx(0.25).epsilon(1e-6));
-  CHECK(norm(over.deepest - over.deepest_foot) == doctest::Approx(0.25).epsilon(1e-6));
+  CHECK(over.depth_m == doctest::Approx(0.25).epsilon(1e-6).scale(0));
+  CHECK(norm(over.deepest - over.deepest_foot) == doctest::Approx(0.25).epsilon(1e-6).scale(0));
   // The inner one ends at 1.25 on every axis: 0.75 m under the nearest side.
   const PartSurface inner = cube_surface({0.5, 0.5, 0.5}, 0.75, task);
   const PairClearance nested = clearance_of_surfaces(inner, cube, {}, task),
                       swapped = clearance_of_surfaces(cube, inner, {}, task);
   CHECK(nested.meet);
   CHECK(nested.depth_m == doctest::Approx(swapped.depth_m));
-  CHECK(nested.depth_m == doctest::Approx(0.75).epsilon(1e-6));
+  CHECK(nested.depth_m == doctest::Approx(0.75).epsilon(1e-6).scale(0));
 }
 
 TEST_CASE("clearance_of_surfaces__sheets_have_no_depth") {

@@ -34,13 +34,13 @@ TEST_CASE("find_cause__tells_which_axes_are_swapped_or_turned_round") {
 TEST_CASE("find_cause__tells_the_unit_with_one_origin_or_another") {
   const CloudsOverlap feet = hall_and([](const Vec3& p) { return p / 0.3048; });
   CHECK(feet.cause == ApartCause::kUnit);
-  CHECK(feet.factor == doctest::Approx(0.3048).epsilon(1e-4));
+  CHECK(feet.factor == doctest::Approx(0.3048).epsilon(1e-4).scale(0));
   const CloudsOverlap millimetres = hall_and([](const Vec3& p) { return p * 1000; });
   CHECK(millimetres.cause == ApartCause::kUnit);
-  CHECK(millimetres.factor == doctest::Approx(0.001));
+  CHECK(millimetres.factor == doctest::Approx(0.001).scale(0));
   const CloudsOverlap moved = hall_and([](const Vec3& p) { return p * 1000 + Vec3{-7e5, 4e6, 0}; });
   CHECK(moved.cause == ApartCause::kUnit);
-  CHECK(moved.factor == doctest::Approx(0.001));
+  CHECK(moved.factor == doctest::Approx(0.001).scale(0));
 }
 
 TEST_CASE("find_cause__tells_another_origin_by_the_same_extent") {

@@ -76,8 +76,8 @@ TEST_CASE("angular_grid__finds_the_cell_of_every_centre_and_what_lies_outside") 
         CHECK(place.column == column);
         CHECK(place.row == row);
         CHECK(grid.index(place) == size_t{row} * grid.columns + column);
-        CHECK(place.u == doctest::Approx(0.5).epsilon(1e-9));
-        CHECK(place.v == doctest::Approx(0.5).epsilon(1e-9));
+        CHECK(place.u == doctest::Approx(0.5).epsilon(1e-9).scale(0));
+        CHECK(place.v == doctest::Approx(0.5).epsilon(1e-9).scale(0));
       }
     CHECK_FALSE(grid.locate({grid.horizontal_of(0), grid.vertical_from_rad - 1e-6, 1}, place));
     CHECK_FALSE(grid.locate({grid.horizontal_of(0), grid.vertical_of(4), 1}, place));

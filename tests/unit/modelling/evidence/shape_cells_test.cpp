@@ -53,7 +53,8 @@ TEST_CASE("bordered_share__counts_the_sides_with_wall_just_outside_them") {
   CHECK(bordered_share(cells, rectangle(21, 39, 21, 39), Sides::kAll) == 1);  // near enough
   CHECK(bordered_share(cells, rectangle(25, 35, 25, 35), Sides::kAll) == 0);
   paint(cells, {10, 20, 20, 40}, WallState::kHidden);  // the whole left side
-  CHECK(bordered_share(cells, kSquare, Sides::kAll) == doctest::Approx(0.75).epsilon(0.02));
+  CHECK(bordered_share(cells, kSquare, Sides::kAll) ==
+        doctest::Approx(0.75).epsilon(0.02).scale(0));
   paint(cells, {10, 20, 20, 40}, WallState::kOutside);  // it does not count
   CHECK(bordered_share(cells, kSquare, Sides::kAll) == 1);
 }
@@ -68,14 +69,16 @@ TEST_CASE("bordered_share__of_sloping_sides_leaves_upright_and_level_ones_out") 
     paint(cells, {20, r, r - 10, r + 1}, WallState::kOn);
     paint(cells, {70 - r, r, 40, r + 1}, WallState::kHidden);
   }
-  CHECK(bordered_share(cells, gable, Sides::kSloping) == doctest::Approx(0.5).epsilon(0.1));
+  // Of 14 places a slope the last three of the right one have the wall above the top just outside them.
+  CHECK(bordered_share(cells, gable, Sides::kSloping) ==
+        doctest::Approx(17.0 / 28).epsilon(0.01).scale(0));
 }
 
 TEST_CASE("relief_share__is_that_of_the_border_where_relief_comes_first") {
   WallCells cells = wall_with_square();
   CHECK(relief_share(cells, kSquare) == 0);
   paint(cells, {16, 20, 20, 40}, WallState::kRelief);
-  CHECK(relief_share(cells, kSquare) == doctest::Approx(0.25).epsilon(0.05));
+  CHECK(relief_share(cells, kSquare) == doctest::Approx(0.25).epsilon(0.05).scale(0));
   CHECK(bordered_share(cells, kSquare, Sides::kAll) == 1);  // relief lies on wall
   paint(cells, {16, 16, 44, 44}, WallState::kRelief);
   paint(cells, {20, 20, 40, 40}, WallState::kThrough);
@@ -94,9 +97,9 @@ TEST_CASE("framed_share__is_that_of_the_border_beyond_which_the_wall_is_broad") 
   CHECK(framed_share(cells, kSquare) == 1);
   // The wall ends: beyond it there is nothing, or a strip of two cells alone.
   paint(cells, {0, 20, 20, 40}, WallState::kOutside);
-  CHECK(framed_share(cells, kSquare) == doctest::Approx(0.75).epsilon(0.02));
+  CHECK(framed_share(cells, kSquare) == doctest::Approx(0.75).epsilon(0.02).scale(0));
   paint(cells, {18, 20, 20, 40}, WallState::kOn);
-  CHECK(framed_share(cells, kSquare) == doctest::Approx(0.75).epsilon(0.02));
+  CHECK(framed_share(cells, kSquare) == doctest::Approx(0.75).epsilon(0.02).scale(0));
 }
 
 TEST_CASE("open_ends__tell_gaps_between_dormers_from_windows_and_doors") {

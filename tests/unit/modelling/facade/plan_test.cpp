@@ -69,7 +69,8 @@ TEST_CASE("facade_plan__tells_a_window_from_a_shadow") {
   const FacadeOpening& window = wall.wall.openings[0];
   CHECK(window.kind == OpeningKind::kWindow);
   CHECK(window.joinery_label == 2);
-  CHECK(window.depth_m == doctest::Approx(0.2).epsilon(1e-6));  // points in single precision
+  CHECK(window.depth_m ==
+        doctest::Approx(0.2).epsilon(1e-6).scale(0));  // points in single precision
   CHECK(signed_area(window.outline) == doctest::Approx(kWindow.area()));
   REQUIRE(wall.wall.shadows.size() == 1);
   CHECK(signed_area(wall.wall.shadows[0].outline) == doctest::Approx(kDark.area()));
@@ -120,6 +121,6 @@ TEST_CASE("facade_plan__a_door_is_a_notch_of_the_outline_and_a_hidden_one_is_clo
     if (hidden) continue;
     CHECK(wall.openings[0].kind == OpeningKind::kDoor);
     CHECK(wall.openings[0].is_notch);
-    CHECK(wall.openings[0].depth_m == doctest::Approx(0.3).epsilon(1e-6));
+    CHECK(wall.openings[0].depth_m == doctest::Approx(0.3).epsilon(1e-6).scale(0));
   }
 }

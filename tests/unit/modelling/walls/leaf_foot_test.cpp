@@ -30,7 +30,7 @@ double foot_of(const HoleSurvey& notch) {
 TEST_CASE("leaf_foot__a_leaf_that_goes_on_behind_a_plinth_ends_at_its_own_foot") {
   HoleSurvey notch;
   add_leaf(notch, 0.4f, 2.9f);
-  CHECK(foot_of(notch) == doctest::Approx(0.4).epsilon(0.2));
+  CHECK(foot_of(notch) == doctest::Approx(0.4).epsilon(0.2).scale(0));
   notch.points.push_back({0, kLeaf, 0.5f, 0.2f, -0.1f});  // a stray
   CHECK(foot_of(notch) > 0.35);
 }

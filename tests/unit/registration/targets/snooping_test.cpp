@@ -37,17 +37,21 @@ void check_share(double found, double expected, double n) {
 
 void false_alarms(const char* params, const std::string& name) {
   const Layout layout = site();
-  double alarms = 0, rejected = 0;
+  double alarms = 0, rejected = 0, squares = 0;
   for (int draw = 0; draw < draws(); ++draw) {
     RandomStream random(5, static_cast<uint64_t>(draw));
     const Registration r = registered(measured_sides(layout, any_motion(random), random), params);
     alarms += r.residuals.require("outlier").number(2);
+    for (uint32_t axis = 0; axis < 3; ++axis)
+      squares += std::pow(r.residuals.require("normalised").number(2, axis), 2) / 3;
     rejected += 1 - r.summary.require("global_accepted").number(0);
   }
   MESSAGE("FIGURE snooping false alarms, " << name << ": " << 100 * alarms / draws()
                                            << " % of 5 %");
   check_share(alarms / draws(), 0.05, draws());
   check_share(rejected / draws(), 0.05, draws());
+  // Standard normal, or of Pope's tau: mean square 1, of a draw with a variance of 2 or less.
+  CHECK(std::fabs(squares / draws() - 1) < 4 * std::sqrt(2.0 / draws()));
 }
 
 // A blunder of the detectable size along each axis of target 2 is found with the power that was asked for.

@@ -101,8 +101,8 @@ TEST_CASE("opening_precision__sides_add_the_mean_variance_of_their_corners_at_ev
       m.vertex_covariances[4 + i] = corner_covariance(azimuth, variances[i]);
     // Left 5, right 4: 9 mm2. Low 10, high 6: 16 mm2.
     OpeningRow row = window_of_model(m);
-    CHECK(row.sigma_width_m == doctest::Approx(0.003));
-    CHECK(row.sigma_height_m == doctest::Approx(0.004));
+    CHECK(row.sigma_width_m == doctest::Approx(0.003).scale(0));
+    CHECK(row.sigma_height_m == doctest::Approx(0.004).scale(0));
     // A corner without a covariance leaves its side to the other one: left 1, low 16 and high 8.
     m.vertex_covariances[5].fill(NAN);
     m.vertex_covariances[7].fill(NAN);
@@ -120,7 +120,7 @@ TEST_CASE("opening_precision__of_the_depth_needs_both_planes_and_joins_their_err
   m.faces[0].covariance[15] = 9e-6;  // the wall: 3 mm
   CHECK(std::isnan(window_of_model(m).sigma_depth_m));
   m.faces[1].covariance[15] = 16e-6;
-  CHECK(window_of_model(m).sigma_depth_m == doctest::Approx(0.005));
+  CHECK(window_of_model(m).sigma_depth_m == doctest::Approx(0.005).scale(0));
   // The pane leans by 1 mrad (sigma) about the axis x = 0; the middle of the opening is at x = 4.
   m.faces[1].covariance.fill(0);
   m.faces[1].covariance[0] = 1e-6;

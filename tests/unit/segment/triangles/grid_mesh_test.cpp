@@ -60,11 +60,11 @@ Meshed meshed(const FlatGrid& grid, uint32_t edge, const MeshRule& rule = {}) {
 }  // namespace
 
 TEST_CASE("grid_mesh__covers_what_four_or_three_neighbours_span") {
-  CHECK(meshed(FlatGrid(6, {}), 6).area() == doctest::Approx(0.25).epsilon(1e-6));
+  CHECK(meshed(FlatGrid(6, {}), 6).area() == doctest::Approx(0.25).epsilon(1e-6).scale(0));
   // A corner and a place in the middle: of the squares about the latter a half each is left.
-  CHECK(meshed(FlatGrid(6, {0}), 6).area() == doctest::Approx(0.245).epsilon(1e-6));
-  CHECK(meshed(FlatGrid(6, {14}), 6).area() == doctest::Approx(0.23).epsilon(1e-6));
-  CHECK(meshed(FlatGrid(6, {14, 15}), 6).area() == doctest::Approx(0.21).epsilon(1e-6));
+  CHECK(meshed(FlatGrid(6, {0}), 6).area() == doctest::Approx(0.245).epsilon(1e-6).scale(0));
+  CHECK(meshed(FlatGrid(6, {14}), 6).area() == doctest::Approx(0.23).epsilon(1e-6).scale(0));
+  CHECK(meshed(FlatGrid(6, {14, 15}), 6).area() == doctest::Approx(0.21).epsilon(1e-6).scale(0));
 }
 
 TEST_CASE("grid_mesh__has_no_edge_beyond_the_search_distance") {
@@ -100,7 +100,7 @@ TEST_CASE("grid_mesh__roughness_is_the_noise_of_a_wall_and_infinite_off_the_grid
                    roughness.begin() + static_cast<ptrdiff_t>(roughness.size() / 2),
                    roughness.end());
   CHECK(static_cast<double>(roughness[roughness.size() / 2]) ==
-        doctest::Approx(0.004).epsilon(0.2));
+        doctest::Approx(0.004).epsilon(0.2).scale(0));
   CHECK(std::ranges::count(m.mesh.roughness_m, INFINITY) == 1);
 }
 
