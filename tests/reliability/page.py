@@ -17,6 +17,7 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 PAGE, MEASURED, LOGS = os.path.join(ROOT, "tests", "RELIABILITY.md"), os.path.join(HERE, "measured.json"), os.path.join(ROOT, "build", "logs")
 sys.path[:0] = [HERE, os.path.join(ROOT, "tests", "runner")]
 from figures import FIGURES  # noqa: E402
+from mutants import MUTANTS  # noqa: E402
 from suites import all_suites  # noqa: E402
 
 TEXTS = (".c", ".h", ".cpp", ".py", ".sh", ".java", ".cs", ".md")
@@ -30,10 +31,18 @@ def sources():
     for top in (os.path.join(ROOT, "tests"), os.path.join(ROOT, "bindings", "java", "src", "test")):
         for folder, _, names in os.walk(top):
             for name in names:
-                if name.endswith(TEXTS) and name not in ("figures.py", "page.py", os.path.basename(PAGE)):
+                if name.endswith(TEXTS) and name not in ("figures.py", "page.py", "mutants.py", os.path.basename(PAGE)):
                     with open(os.path.join(folder, name), encoding="utf-8", errors="replace") as f:
                         out.append(f.read())
     return "\n".join(out)
+
+
+def read_source(name):
+    path = os.path.join(ROOT, name)
+    if not os.path.exists(path):
+        return ""
+    with open(path, encoding="utf-8") as f:
+        return f.read()
 
 
 def last_run():
@@ -67,8 +76,9 @@ def state_of(figure, suites):
 def row_of(figure, kept):
     suites = ", ".join(dict.fromkeys("`%s`" % suite for suite, _ in figure.shown_by)) or "-"
     run = "-" if not figure.shown_by else "long run" if figure.full else "each run"
-    return "| %s | %s | %s | %s | %s | %s |" % (figure.name, figure.promise, state_of(figure, kept["suites"]), suites, run,
-                                              "; ".join(kept["values"].get(figure.name, [])) or "-")
+    broken = sum(m.figure == figure.name for m in MUTANTS) or "-"
+    return "| %s | %s | %s | %s | %s | %s | %s |" % (figure.name, figure.promise, state_of(figure, kept["suites"]), suites, run, broken,
+                                                   "; ".join(kept["values"].get(figure.name, [])) or "-")
 
 
 def page(kept):
@@ -78,8 +88,9 @@ def page(kept):
             "%d figures: %s. `tests/reliability/page.py --write` makes this page from `figures.py` and" % (len(FIGURES), counted),
             "from what the last run of each suite said; the suite `reliability_page` fails where a test that a row names is gone. A row says",
             "\"long run\" where its whole figure needs `tests/run.sh --full`; each run makes a part of it. Values are the last ones of any run,",
-            "- where none was kept.", "",
-            "| | figure | state | suites | in | last value |", "| --- | --- | --- | --- | --- | --- |"]
+            "- where none was kept. \"Broken\": in how many ways `mutants.py` breaks its subject on purpose, each of which a test must see",
+            "(suite `mutation`); %d more breakages are of other promises." % sum(not m.figure for m in MUTANTS), "",
+            "| | figure | state | suites | in | broken | last value |", "| --- | --- | --- | --- | --- | --- | --- |"]
     return "\n".join(head + [row_of(f, kept) for f in FIGURES]) + "\n"
 
 
@@ -117,6 +128,10 @@ def main():
         passed, failed = passed + (not vague), failed + bool(vague)
         print("%s - reliability %s: its tests are there%s" % ("not ok" if vague else "ok", figure.name,
                                                              ": none, or too many, are " + ", ".join(vague) if vague else ""))
+    stale = [m for m in MUTANTS if read_source(m.file).count(m.text) != 1 or m.test not in text]
+    print("%s - reliability: what mutants break stands there, and their tests%s" % (("not ok", ": not " + "; ".join(
+        m.file + " " + m.test for m in stale)) if stale else ("ok", "")))
+    passed, failed = passed + (not stale), failed + bool(stale)
     with open(PAGE, encoding="utf-8") as f:
         fits = f.read() == page(kept)
     print("%s - reliability: the page is that of the table" % ("ok" if fits else "not ok"))
