@@ -11,6 +11,7 @@
 #include "geometry/polygon_sets.h"
 #include "modelling/edges/find/edge_shape.h"
 #include "modelling/evidence/contour_holes.h"
+#include "modelling/evidence/set_back.h"
 
 namespace jalon {
 
@@ -139,7 +140,7 @@ std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
     out.push_back(openings[k].grown((is_settled[k] != 0 ? kSetBack : kOutsideOpening) * spacing_m));
   std::vector<Chain> holes = holes_of(plain, out, cells);
   for (size_t k = 0; k < openings.size(); ++k)
-    if (is_settled[k] != 0) holes[k].clear();
+    if (is_settled[k] != 0 || has_set_back(cells, openings[k])) holes[k].clear();
   const auto too_near = [&](size_t i, size_t j) {
     const double room = kApart * spacing_m;
     if (!out[i].box().grown(room).meets(out[j].box())) return false;

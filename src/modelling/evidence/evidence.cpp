@@ -97,8 +97,9 @@ ContourMaker contours_by(std::vector<WallEvidence>& evidence) {
                      const ForeignTest& foreign, Task& task) {
     WallEvidence& wall = evidence[segment];
     Contour plain = extract_contour(points, setting, task, foreign);
-    wall.is_plain = wall.is_wall() && (shows(plain, shapes_of(wall.openings, true)) ||
-                                       shows(plain, shapes_of(wall.openings, false)));
+    wall.is_plain = wall.is_wall() && wall.cells.set_back.empty() &&
+                    (shows(plain, shapes_of(wall.openings, true)) ||
+                     shows(plain, shapes_of(wall.openings, false)));
     if (!wall.is_drawn()) return plain;
     return drawn_contour(points, wall.openings, plain, wall.cells, setting, foreign, task);
   };

@@ -61,6 +61,7 @@ void settle_openings(const Segmentation& segmentation, const CellSetting& cells,
           if (s != w && (out < 0 || out > cells.proud_m)) continue;
           const Vec2 q = frame.project(p);
           if (s != w && out > cells.relief_m && !is_relief_at(wall.cells, q)) continue;
+          if (s == w && wall.cells.is_set_back(q)) continue;
           for (CoveredOpening& c : covered)
             if (c.window.holds(q)) c.solid.push_back(q);
         }

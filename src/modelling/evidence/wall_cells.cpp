@@ -8,9 +8,9 @@
 
 #include "base/parallel.h"
 #include "modelling/evidence/cell_classes.h"
+#include "modelling/evidence/set_back.h"
 #include "modelling/plane/point_block.h"
 #include "modelling/plane/point_stations.h"
-#include "modelling/plane/ring_tools.h"
 #include "modelling/plane/spacing.h"
 
 namespace jalon {
@@ -193,7 +193,11 @@ std::vector<WallCells> wall_cells(const Segmentation& segmentation,
   // 3. One state a cell.
   std::vector<WallCells> out;
   parallel_for(task, sights.size(), 1, [&](size_t begin, size_t end) {
-    for (size_t s = begin; s < end; ++s) classify_cells(sights[s].marks, sights[s].out, task);
+    for (size_t s = begin; s < end; ++s) {
+      WallCells& cells = sights[s].out;
+      cells.set_back = mark_set_back(cloud, sources[s], cells, sights[s].marks, task);
+      classify_cells(sights[s].marks, cells, task);
+    }
   });
   for (Sight& sight : sights) out.push_back(std::move(sight.out));
   return out;

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "base/task.h"
 #include "modelling/plane/plane_frame.h"
+#include "modelling/plane/ring_tools.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
@@ -50,10 +52,16 @@ struct WallCells {
   double cell_m = 0;
   uint32_t columns = 0, rows = 0;
   std::vector<WallState> states;
+  /// Where the wall's points stand back a little in a rectangle: blinds (set_back.h). In the frame's coordinates.
+  std::vector<RingBox> set_back;
 
   bool empty() const { return states.empty(); }
   WallState at(uint32_t column, uint32_t row) const {
     return states[static_cast<size_t>(row) * columns + column];
+  }
+  bool is_set_back(const Vec2& p) const {
+    return std::any_of(set_back.begin(), set_back.end(),
+                       [&](const RingBox& box) { return box.holds(p); });
   }
 };
 
