@@ -22,8 +22,8 @@ constexpr double kStepLineShare = 0.5;     // of the cells of a row or column at
 constexpr double kStepFill = 0.8;          // of the measured cells of a rectangle: behind the wall
 constexpr uint32_t kAboutCells = 4;        // looked at about a rectangle
 constexpr double kAboutShare = 0.3;        // of these, measured: three sides of a blind partly down
-// Of the squares that a slanted wall leaves, those that the step leaves. Measured on the grammar: blinds 0.06 to 0.24, of
-// some that lie in pieces 0.34 and 0.44; panes, plaster that bends and wrong points 0.47 to 1, one 0.38.
+// Of the squares that a slanted wall leaves, those that the step leaves. Measured on the grammar: blinds 0.06 to 0.24,
+// of some that lie in pieces 0.34 and 0.44; panes, plaster that bends and wrong points 0.47 to 1, one 0.38.
 constexpr double kUnexplained = 0.4;
 constexpr uint32_t kAlignedCells = 2;  // sides of like openings differ by
 // Of a row below a blind: open. Of such rows: between jambs that go on.
