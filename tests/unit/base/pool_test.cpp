@@ -28,6 +28,23 @@ struct Visits {
   static void count(void* p, size_t chunk) { ++static_cast<Visits*>(p)->of[chunk]; }
 };
 
+// Chunks that wait for one another till three threads are there.
+struct Meeting {
+  std::mutex mutex;
+  std::set<std::thread::id> ids;
+  std::set<MemoryBudget*> budgets;
+  std::condition_variable met;
+
+  static void meet(void* p, size_t) {
+    auto& s = *static_cast<Meeting*>(p);
+    std::unique_lock lock(s.mutex);
+    s.ids.insert(std::this_thread::get_id());
+    s.budgets.insert(current_budget());
+    s.met.notify_all();
+    s.met.wait_for(lock, std::chrono::seconds(1), [&] { return s.ids.size() >= 3; });
+  }
+};
+
 }  // namespace
 
 TEST_CASE("pool__does_every_chunk_once_run_after_run") {
@@ -43,22 +60,11 @@ TEST_CASE("pool__does_every_chunk_once_run_after_run") {
 }
 
 TEST_CASE("pool__uses_no_more_threads_than_it_has_and_the_callers_is_one_of_them") {
-  struct Seen {
-    std::mutex mutex;
-    std::set<std::thread::id> ids;
-    std::condition_variable met;
-  } seen;
+  Meeting seen;
   Task task(on_threads(3));
   Pool pool(3);
-  const auto meet = [](void* p, size_t) {  // three chunks that wait for one another
-    auto& s = *static_cast<Seen*>(p);
-    std::unique_lock lock(s.mutex);
-    s.ids.insert(std::this_thread::get_id());
-    s.met.notify_all();
-    s.met.wait_for(lock, std::chrono::milliseconds(100), [&] { return s.ids.size() >= 3; });
-  };
-  pool.run(task, 3, meet, &seen);
-  pool.run(task, 20, meet, &seen);
+  pool.run(task, 3, Meeting::meet, &seen);
+  pool.run(task, 20, Meeting::meet, &seen);
   CHECK(seen.ids.size() == 3);
   CHECK(seen.ids.count(std::this_thread::get_id()) == 1);
 }
@@ -116,25 +122,12 @@ TEST_CASE("pool__a_cancelled_task_leaves_chunks_out_and_ends_with_kCancelled") {
 }
 
 TEST_CASE("pool__what_its_threads_take_is_of_the_budget_of_the_call") {
-  struct Seen {
-    std::mutex mutex;
-    std::set<std::thread::id> ids;
-    std::set<MemoryBudget*> budgets;
-    std::condition_variable met;
-  } seen;
   MemoryBudget budget(1 << 20);
   const BudgetScope scope(&budget);
+  Meeting seen;
   Task task(on_threads(3));
   Pool pool(3);
-  const auto meet = [](void* p, size_t) {  // three chunks that wait for one another
-    auto& s = *static_cast<Seen*>(p);
-    std::unique_lock lock(s.mutex);
-    s.ids.insert(std::this_thread::get_id());
-    s.budgets.insert(current_budget());
-    s.met.notify_all();
-    s.met.wait_for(lock, std::chrono::seconds(5), [&] { return s.ids.size() >= 3; });
-  };
-  pool.run(task, 3, meet, &seen);
+  pool.run(task, 3, Meeting::meet, &seen);
   CHECK(seen.ids.size() == 3);
   CHECK(seen.budgets == std::set<MemoryBudget*>{&budget});
 }
