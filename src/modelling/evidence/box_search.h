@@ -5,16 +5,10 @@
 #include <cstdint>
 #include <span>
 
+#include "modelling/evidence/cell_regions.h"
 #include "modelling/evidence/cell_sums.h"
 
 namespace jalon {
-
-/// Columns [c0, c1) and rows [r0, r1).
-struct CellBox {
-  uint32_t c0 = 0, r0 = 0, c1 = 0, r1 = 0;
-  uint32_t width() const { return c1 - c0; }
-  uint32_t height() const { return r1 - r0; }
-};
 
 struct ScoredBox {
   CellBox box;

@@ -2,11 +2,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace jalon {
+
+/// Columns [c0, c1) and rows [r0, r1) of a map of cells.
+struct CellBox {
+  uint32_t c0 = 0, r0 = 0, c1 = 0, r1 = 0;
+  uint32_t width() const { return c1 - c0; }
+  uint32_t height() const { return r1 - r0; }
+};
+
+/// What these cells of a map reach over; nothing of none.
+inline CellBox cell_box_of(std::span<const uint32_t> cells, uint32_t columns) {
+  if (cells.empty()) return {};
+  CellBox out{~uint32_t{0}, ~uint32_t{0}, 0, 0};
+  for (const uint32_t k : cells) {
+    const uint32_t c = k % columns, r = k / columns;
+    out = {std::min(out.c0, c), std::min(out.r0, r), std::max(out.c1, c + 1),
+           std::max(out.r1, r + 1)};
+  }
+  return out;
+}
 
 /// Connected parts of sets of cells, row by row, neighbours by a side.
 class CellRegions {

@@ -134,12 +134,7 @@ class BoxSearch {
 
   // The best box in the region's own box.
   CellBox best_in(const std::vector<uint32_t>& region) const {
-    CellBox about{~uint32_t{0}, ~uint32_t{0}, 0, 0};
-    for (const uint32_t k : region) {
-      const uint32_t c = k % cells_.columns, r = k / cells_.columns;
-      about = {std::min(about.c0, c), std::min(about.r0, r), std::max(about.c1, c + 1),
-               std::max(about.r1, r + 1)};
-    }
+    const CellBox about = cell_box_of(region, cells_.columns);
     if (about.width() < narrow_.side || about.height() < narrow_.side) return {};
     const CellSums<int64_t> sums(about.width(), about.height(), [&](size_t i) {
       const size_t k =

@@ -87,17 +87,13 @@ double slanted_rest(std::span<const Vec3> places) {
   return ww - (uw * vv - vw * uv) / det * uw - (vw * uu - uw * uv) / det * vw;
 }
 
-struct StepBox {
-  uint32_t c0 = 0, r0 = 0, c1 = 0, r1 = 0;  // c1, r1: behind the last
-};
-
 bool is_near(uint32_t a, uint32_t b) { return (a > b ? a - b : b - a) <= kAlignedCells; }
-bool is_in_column(const StepBox& a, const StepBox& b) {
+bool is_in_column(const CellBox& a, const CellBox& b) {
   return is_near(a.c0, b.c0) && is_near(a.c1, b.c1);
 }
-bool is_alike(const StepBox& a, const StepBox& b) {
+bool is_alike(const CellBox& a, const CellBox& b) {
   const bool is_in_row = is_near(a.r0, b.r0) && is_near(a.r1, b.r1);
-  return is_in_column(a, b) || (is_in_row && is_near(a.c1 - a.c0, b.c1 - b.c0));
+  return is_in_column(a, b) || (is_in_row && is_near(a.width(), b.width()));
 }
 
 // Rectangles of a wall's cells that stand back, as step 1 to 3 of the header tell.
@@ -106,19 +102,19 @@ class SetBack {
   SetBack(std::span<const float> means, const WallCells& cells, std::span<uint8_t> marks)
       : means_(means), cells_(cells), marks_(marks) {}
 
-  std::vector<StepBox> run(Task& task) {
-    const std::vector<StepBox> found = rectangles(task);
-    std::vector<StepBox> out;
+  std::vector<CellBox> run(Task& task) {
+    const std::vector<CellBox> found = rectangles(task);
+    std::vector<CellBox> out;
     if (found.empty()) return out;
-    std::vector<StepBox> open = holes();
-    std::vector<StepBox> closed;
-    for (const StepBox& box : found)
+    std::vector<CellBox> open = holes();
+    std::vector<CellBox> closed;
+    for (const CellBox& box : found)
       if (const auto whole = continued(box)) out.push_back(box), open.push_back(*whole);
       else closed.push_back(box);
-    for (const StepBox& box : closed)
-      if (std::any_of(open.begin(), open.end(), [&](const StepBox& o) { return is_alike(box, o); }))
+    for (const CellBox& box : closed)
+      if (std::any_of(open.begin(), open.end(), [&](const CellBox& o) { return is_alike(box, o); }))
         out.push_back(box);
-    for (const StepBox& box : out) fill(box);
+    for (const CellBox& box : out) fill(box);
     return out;
   }
 
@@ -127,17 +123,18 @@ class SetBack {
   bool is_on(size_t k) const { return (marks_[k] & kMarkOn) != 0 && !std::isnan(means_[k]); }
   bool is_behind(size_t k) const { return is_on(k) && means_[k] < -kLeastStep_m; }
 
-  std::vector<StepBox> rectangles(Task& task) const {
-    std::vector<StepBox> out;
+  std::vector<CellBox> rectangles(Task& task) const {
+    std::vector<CellBox> out;
     CellRegions regions(cells_.columns, cells_.rows);
     for (std::vector<uint32_t>& region : regions.of(behind_or_beside())) {
       std::erase_if(region, [&](uint32_t k) { return !is_behind(k); });
       if (region.size() < kLeastStepCells * kLeastStepCells) continue;
       task.checkpoint(0);
-      const StepBox box = step_box_of(region);
+      const CellBox box = step_box_of(region);
       const auto least = std::max(
           kLeastStepCells, static_cast<uint32_t>(std::ceil(kLeastStepSide_m / cells_.cell_m)));
-      if (box.c1 < box.c0 + least || box.r1 < box.r0 + least) continue;
+      if (box.c0 >= box.c1 || box.r0 >= box.r1 || std::min(box.width(), box.height()) < least)
+        continue;
       if (is_step(box)) out.push_back(box);
     }
     return out;
@@ -162,14 +159,9 @@ class SetBack {
   }
 
   // What a region reaches over, less the rows and columns at its ends that are mostly on the wall.
-  StepBox step_box_of(const std::vector<uint32_t>& region) const {
-    StepBox box{cells_.columns, cells_.rows, 0, 0};
-    for (const uint32_t k : region) {
-      const uint32_t c = k % cells_.columns, r = k / cells_.columns;
-      box = {std::min(box.c0, c), std::min(box.r0, r), std::max(box.c1, c + 1),
-             std::max(box.r1, r + 1)};
-    }
-    const auto is_wall_line = [&](const StepBox& line) {
+  CellBox step_box_of(const std::vector<uint32_t>& region) const {
+    CellBox box = cell_box_of(region, cells_.columns);
+    const auto is_wall_line = [&](const CellBox& line) {
       size_t on = 0, behind = 0;
       for (uint32_t r = line.r0; r < line.r1; ++r)
         for (uint32_t c = line.c0; c < line.c1; ++c) {
@@ -179,7 +171,6 @@ class SetBack {
       return static_cast<double>(behind) < kStepLineShare * static_cast<double>(on) || on == 0;
     };
     for (bool is_changed = true; is_changed && box.c0 < box.c1 && box.r0 < box.r1;) {
-      is_changed = true;
       if (is_wall_line({box.c0, box.r0, box.c0 + 1, box.r1})) ++box.c0;
       else if (is_wall_line({box.c1 - 1, box.r0, box.c1, box.r1})) --box.c1;
       else if (is_wall_line({box.c0, box.r0, box.c1, box.r0 + 1})) ++box.r0;
@@ -190,7 +181,7 @@ class SetBack {
   }
 
   // Of the rows and columns of which a region has half as many cells as of its broadest.
-  StepBox box_of(const std::vector<uint32_t>& region) const {
+  CellBox box_of(const std::vector<uint32_t>& region) const {
     std::vector<uint32_t> rows(cells_.rows, 0), columns(cells_.columns, 0);
     for (const uint32_t k : region) ++rows[k / cells_.columns], ++columns[k % cells_.columns];
     const auto ends = [](const std::vector<uint32_t>& lines) {
@@ -208,7 +199,7 @@ class SetBack {
   }
 
   // Step 2.
-  bool is_step(const StepBox& box) const {
+  bool is_step(const CellBox& box) const {
     const uint32_t c0 = box.c0 - std::min(box.c0, kAboutCells),
                    r0 = box.r0 - std::min(box.r0, kAboutCells),
                    c1 = std::min(cells_.columns, box.c1 + kAboutCells),
@@ -225,19 +216,18 @@ class SetBack {
         behind += is_inside && is_behind(k);
         places.push_back({static_cast<double>(c), static_cast<double>(r), means_[k]});
       }
-    const uint32_t about = (c1 - c0) * (r1 - r0) - (box.c1 - box.c0) * (box.r1 - box.r0);
+    const uint32_t about = (c1 - c0) * (r1 - r0) - box.width() * box.height();
     if (!(levels.count[0] > 0) || levels.count[0] < kAboutShare * about) return false;
     return behind >= kStepFill * levels.count[1] && levels.step() >= kLeastStep_m &&
            levels.rest() <= kUnexplained * slanted_rest(places);
   }
 
   // Step 3: of a blind that is partly down, with the opening below it.
-  std::optional<StepBox> continued(const StepBox& box) const {
-    const uint32_t width = box.c1 - box.c0;
+  std::optional<CellBox> continued(const CellBox& box) const {
     const auto is_open = [&](uint32_t r) {
       uint32_t open = 0;
       for (uint32_t c = box.c0; c < box.c1; ++c) open += !is_on(at(c, r));
-      return open >= kContinuedShare * width;
+      return open >= kContinuedShare * box.width();
     };
     uint32_t r = box.r0;
     for (uint32_t skip = 0; skip < kAlignedCells && r > 0 && !is_open(r - 1); ++skip) --r;
@@ -256,22 +246,22 @@ class SetBack {
                has(box.c1, box.c1 + 2 * kAlignedCells);
     }
     if (jambs < kContinuedShare * (top - r)) return {};
-    return StepBox{box.c0, r, box.c1, box.r1};
+    return CellBox{box.c0, r, box.c1, box.r1};
   }
 
   // What was seen through, by places without a point of the wall.
-  std::vector<StepBox> holes() const {
+  std::vector<CellBox> holes() const {
     std::vector<uint32_t> open;
     for (size_t k = 0; k < marks_.size(); ++k)
       if (!is_on(k) && (marks_[k] & kMarkBehind) != 0) open.push_back(static_cast<uint32_t>(k));
     CellRegions regions(cells_.columns, cells_.rows);
-    std::vector<StepBox> out;
+    std::vector<CellBox> out;
     for (const std::vector<uint32_t>& region : regions.of(open))
       if (region.size() >= kLeastStepCells * kLeastStepCells) out.push_back(box_of(region));
     return out;
   }
 
-  void fill(const StepBox& box) {
+  void fill(const CellBox& box) {
     for (uint32_t r = box.r0; r < box.r1; ++r)
       for (uint32_t c = box.c0; c < box.c1; ++c) {
         uint8_t& mark = marks_[at(c, r)];
@@ -292,7 +282,7 @@ std::vector<RingBox> mark_set_back(const Cloud& cloud, const CellSource& source,
   if (marks.empty()) return out;
   task.checkpoint(0);
   const std::vector<float> means = means_of(cloud, source, cells);
-  for (const StepBox& box : SetBack(means, cells, marks).run(task))
+  for (const CellBox& box : SetBack(means, cells, marks).run(task))
     out.push_back({cells.origin + Vec2{static_cast<double>(box.c0), static_cast<double>(box.r0)} *
                                       cells.cell_m,
                    cells.origin + Vec2{static_cast<double>(box.c1), static_cast<double>(box.r1)} *

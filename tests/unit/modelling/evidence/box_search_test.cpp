@@ -93,3 +93,14 @@ TEST_CASE("best_box__on_large_grids_comes_to_the_cell_whatever_the_coarse_one_cu
       CHECK(best.box.r0 == truth.r0);
     }
 }
+
+TEST_CASE("cell_box_of__cells_anywhere__is_the_least_that_holds_them") {
+  constexpr uint32_t kColumns = 7;
+  const std::vector<uint32_t> cells{2 * kColumns + 5, 4 * kColumns + 1, 3 * kColumns + 3};
+  const CellBox box = cell_box_of(cells, kColumns);
+  CHECK(box.c0 == 1);
+  CHECK(box.r0 == 2);
+  CHECK(box.c1 == 6);
+  CHECK(box.r1 == 5);
+  CHECK(cell_box_of({}, kColumns).width() == 0);
+}

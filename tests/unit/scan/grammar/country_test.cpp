@@ -41,8 +41,7 @@ TEST_CASE("country__villas_have_a_gabled_part_a_bay_window_and_open_shutters") {
       CHECK(plan.walls[2].y_m < 0);
       CHECK(plan.walls[1].outline.size() == 8);  // no wall behind it
     }
-    for (const PlannedWall& wall : plan.walls)
-      for (const Pad& p : wall.pads) shutters += p.part_class == "shutter";
+    shutters += count_of_pads(plan, "shutter");
     CHECK(is_orderly(plan));
   }
   CHECK(bays > 20);

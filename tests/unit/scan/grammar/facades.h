@@ -5,6 +5,7 @@
 // Plans and scenes of the grammar, and what its tests measure on them.
 
 #include <algorithm>
+#include <string_view>
 
 #include "geometry/polygon2.h"
 #include "scan/facade_truth.h"
@@ -38,6 +39,13 @@ inline size_t count_of_class(const grammar::Plan& plan, OpeningClass wanted) {
   size_t n = 0;
   for (const grammar::PlannedWall& wall : plan.walls)
     for (const grammar::PlannedOpening& o : wall.openings) n += o.opening_class == wanted;
+  return n;
+}
+
+inline size_t count_of_pads(const grammar::Plan& plan, std::string_view part_class) {
+  size_t n = 0;
+  for (const grammar::PlannedWall& wall : plan.walls)
+    for (const grammar::Pad& pad : wall.pads) n += pad.part_class == part_class;
   return n;
 }
 

@@ -2,23 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "unit/scan/grammar/facades.h"
 
 using namespace jalon;
 using namespace jalon::test;
 using namespace jalon::grammar;
-
-namespace {
-
-size_t count_of_pads(const Plan& plan, const std::string& part_class) {
-  const auto& pads = plan.walls[0].pads;
-  return static_cast<size_t>(std::count_if(
-      pads.begin(), pads.end(), [&](const Pad& pad) { return pad.part_class == part_class; }));
-}
-
-}  // namespace
 
 TEST_CASE("trades__mills_have_broad_arched_windows_between_lesenes_and_one_gateway") {
   size_t lesenes = 0;
