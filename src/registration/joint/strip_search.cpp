@@ -98,6 +98,27 @@ double widest_of(const std::vector<Extent>& extents) {
   return widest;
 }
 
+// What was found of each strip: its wall's points from front to back, and their numbers ascending.
+struct StripWalls {
+  std::vector<std::vector<MetPoint>> points;
+  std::vector<std::vector<uint32_t>> numbers;
+};
+
+std::vector<uint32_t> numbers_of(const std::vector<MetPoint>& wall) {
+  std::vector<uint32_t> made;
+  for (const MetPoint& p : wall) made.push_back(p.number);
+  std::sort(made.begin(), made.end());
+  return made;
+}
+
+bool share_one(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
+  for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();)
+    if (*i == *j) return true;
+    else if (*i < *j) ++i;
+    else ++j;
+  return false;
+}
+
 class StripSearch {
  public:
   StripSearch(const JointPoints& points, const StripScene& scene, const JointSettings& settings)
@@ -120,14 +141,14 @@ class StripSearch {
     return wall;
   }
 
-  /// Most of its wall's points are as likely on a parallel strip, which has no other wall. walls: of all strips.
-  bool is_doubtful(uint32_t s, const std::vector<std::vector<MetPoint>>& walls) const {
+  /// Most of its wall's points are as likely on a parallel strip, which has no other wall.
+  bool is_doubtful(uint32_t s, const StripWalls& walls) const {
     const std::vector<uint32_t> rivals = rivals_of(s, walls);
     size_t shared = 0;
-    for (const MetPoint& p : walls[s])
+    for (const MetPoint& p : walls.points[s])
       shared += std::any_of(rivals.begin(), rivals.end(),
                             [&](uint32_t rival) { return is_as_likely(rival, p); });
-    return 2 * shared > walls[s].size();
+    return 2 * shared > walls.points[s].size();
   }
 
  private:
@@ -162,25 +183,20 @@ class StripSearch {
   }
 
   // Strips that look the same way, whose wall is this one's or none.
-  std::vector<uint32_t> rivals_of(uint32_t s,
-                                  const std::vector<std::vector<MetPoint>>& walls) const {
+  std::vector<uint32_t> rivals_of(uint32_t s, const StripWalls& walls) const {
     std::vector<uint32_t> made;
-    if (walls[s].empty()) return made;
+    const std::vector<uint32_t>& own = walls.numbers[s];
+    if (own.empty()) return made;
     const Vec3 mid = middles_[s];
     const double about = 2 * reach_m_ + widest_m_;
     middle_cells_.each(
         {mid.x - about, mid.y - about}, {mid.x + about, mid.y + about}, [&](uint32_t other) {
           if (other == s || dot(scene_.strips[other].normal, scene_.strips[s].normal) < kParallel)
             return;
-          if (walls[other].empty() || shares_a_point(walls[other], walls[s])) made.push_back(other);
+          const std::vector<uint32_t>& its = walls.numbers[other];
+          if (its.empty() || share_one(its, own)) made.push_back(other);
         });
     return made;
-  }
-  static bool shares_a_point(const std::vector<MetPoint>& a, const std::vector<MetPoint>& b) {
-    return std::any_of(a.begin(), a.end(), [&](const MetPoint& p) {
-      return std::any_of(b.begin(), b.end(),
-                         [&](const MetPoint& q) { return p.number == q.number; });
-    });
   }
 
   // By the prior of the strips alone, the rest being surer.
@@ -223,11 +239,14 @@ FoundStrips find_strips(const JointPoints& points, const StripScene& scene,
   FoundStrips made{std::vector<double>(n, 0), std::vector<bool>(n, false)};
   if (!is_strip_search_wanted(points, settings)) return made;
   const StripSearch search(points, scene, settings);
-  std::vector<std::vector<MetPoint>> walls(n);
+  StripWalls walls{std::vector<std::vector<MetPoint>>(n), std::vector<std::vector<uint32_t>>(n)};
   std::vector<uint8_t> is_doubtful(n, 0);
   constexpr size_t kStripsGrain = 64;
   parallel_for(task, n, kStripsGrain, [&](size_t begin, size_t end) {
-    for (size_t s = begin; s < end; ++s) walls[s] = search.wall_of(static_cast<uint32_t>(s));
+    for (size_t s = begin; s < end; ++s) {
+      walls.points[s] = search.wall_of(static_cast<uint32_t>(s));
+      walls.numbers[s] = numbers_of(walls.points[s]);
+    }
   });
   parallel_for(task, n, kStripsGrain, [&](size_t begin, size_t end) {
     for (size_t s = begin; s < end; ++s)
@@ -235,8 +254,8 @@ FoundStrips find_strips(const JointPoints& points, const StripScene& scene,
   });
   for (size_t s = 0; s < n; ++s) {
     made.is_doubtful[s] = is_doubtful[s] != 0;
-    if (!walls[s].empty() && !made.is_doubtful[s])
-      made.offsets_m[s] = walls[s][walls[s].size() / 2].distance_m;
+    const std::vector<MetPoint>& wall = walls.points[s];
+    if (!wall.empty() && !made.is_doubtful[s]) made.offsets_m[s] = wall[wall.size() / 2].distance_m;
   }
   return made;
 }
