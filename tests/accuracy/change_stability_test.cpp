@@ -121,6 +121,7 @@ SaidOfThings said_of(const CloudPtr& before, const CloudPtr& after) {
     };
     add(*before, found.before.regions, change.object.before);
     add(*after, found.after.regions, change.object.after);
+    if (count.empty()) continue;  // of two things one may be told without a point of its own
     const auto most =
         std::max_element(count.begin(), count.end(),
                          [](const auto& a, const auto& b) { return a.second < b.second; });
