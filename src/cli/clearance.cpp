@@ -90,7 +90,7 @@ struct Clearance {
     for (const std::string& path : inputs) read(console, path, scene);
     if (!scene.cloud && cloud.is_told())
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
-                    "unit, columns, box and spacing are of a scan, and none is among the inputs"};
+                    "unit, columns, box and the like are of a scan, and none is among the inputs"};
     Json result{{"inputs", inputs}};
     const char* parameters = nullptr;
     must(jalon_params_to_json(options.get(), &parameters));

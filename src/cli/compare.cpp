@@ -54,7 +54,7 @@ struct Compare {
     if (input.is_told())
       throw Failure{
           JALON_ERROR_INVALID_ARGUMENT,
-          input.path + " is a model: unit, columns, station, box and spacing are of a scan"};
+          input.path + " is a model: unit, columns, station, box and the like are of a scan"};
     must_read(jalon_model_read(input.path.c_str(), nullptr, console.task(), Out(out.model)));
     out.lengths = Lengths::of(input.path, out.model);
     out.box = box_of(out.model);

@@ -215,6 +215,18 @@ void Input::add_points_to(Command& command, const std::string& prefix) {
       .option("--" + prefix + "spacing", spacing_m,
               "Read the levels of a COPC file down to this spacing of their points, in metres")
       .type_name("M");
+  command
+      .option("--" + prefix + "only-station", only_station,
+              "Read the points of this scan station alone: its name, or its number from 1")
+      .type_name("NAME");
+  command
+      .option("--" + prefix + "max-points", max_points,
+              "Keep at most so many points, evenly taken; 0: all")
+      .type_name("N");
+  command
+      .option("--" + prefix + "fields", fields,
+              "Fields to read, e.g. \"intensity classification\"; - reads none")
+      .type_name("NAMES");
 }
 
 void add_output_folder(Command& command, std::string& output) {
@@ -231,7 +243,8 @@ void add_reading_of_two(Command& command, Input& first, const std::string& first
 }
 
 bool Input::is_told() const {
-  return !unit.empty() || !station.empty() || !columns.empty() || !box.empty() || spacing_m != 0;
+  return !unit.empty() || !station.empty() || !columns.empty() || !box.empty() || spacing_m != 0 ||
+         !only_station.empty() || max_points != 0 || !fields.empty();
 }
 
 void Input::add_unit_to(Command& command, const std::string& option) {
@@ -273,6 +286,9 @@ Params Input::reading(const char* operation) const {
     must(jalon_params_set_doubles(params.get(), "box", corners.data(), corners.size()));
   }
   must(jalon_params_set_double(params.get(), "spacing_m", spacing_m));
+  must(jalon_params_set_string(params.get(), "station", only_station.c_str()));
+  must(jalon_params_set_int64(params.get(), "max_points", max_points));
+  must(jalon_params_set_string(params.get(), "fields", fields.c_str()));
   return params;
 }
 

@@ -59,8 +59,11 @@ struct Input {
   std::string unit_option = "--unit";  ///< that names it
   std::string station;  ///< "X,Y,Z" of the one scanner position; "": as the file tells
   bool drop_invalid = false;
-  std::string box;       ///< "X,Y,Z,X,Y,Z" of the points wanted; "": all
-  double spacing_m = 0;  ///< of the levels of a COPC file that are wanted; 0: all
+  std::string box;           ///< "X,Y,Z,X,Y,Z" of the points wanted; "": all
+  double spacing_m = 0;      ///< of the levels of a COPC file that are wanted; 0: all
+  std::string only_station;  ///< name or number of the one whose points are wanted; "": all
+  int64_t max_points = 0;    ///< 0: all
+  std::string fields;        ///< names of those wanted; "": all
 
   void add_to(Command& command, bool required = true);
   /// All but the scan itself; a prefix, "reference-", for a command with two scans.

@@ -12,7 +12,5 @@ namespace jalon {
 const Format& format_to_read(const ByteSource& source, const ReadSettings& settings);
 /// The format of the option or the extension; null where no format has it.
 const Format* format_to_write(const std::string& path, const WriteSettings& settings);
-/// What the reader left of what the options leave out.
-Cloud within_box(Cloud cloud, const ReadSettings& settings, Task& task);
 
 }  // namespace jalon

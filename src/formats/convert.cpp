@@ -7,6 +7,7 @@
 #include "formats/chosen_format.h"
 #include "formats/files/station_file.h"
 #include "formats/formats.h"
+#include "formats/wanted_points.h"
 
 namespace jalon {
 
@@ -29,7 +30,7 @@ class Stream {
  public:
   Stream(const ByteSource& source, const ReadSettings& reading, const Format& written,
          const std::string& to, const WriteSettings& writing, Task& task)
-      : reading_(reading), task_(task) {
+      : source_(source), reading_(reading), task_(task) {
     pieces_ = format_to_read(source, reading).read_pieces(source, reading, task);
     if (pieces_ != nullptr) sink_ = written.write_pieces(to, writing, pieces_->count());
   }
@@ -62,8 +63,10 @@ class Stream {
     piece = {};  // gone before the next one comes
     Cloud next;
     if (!pieces_->next(kPiecePoints, next, task_)) return false;
+    const uint64_t first = passed;
     passed += next.size();
-    piece = within_box(std::move(next), reading_, task_);
+    piece =
+        wanted_points(std::move(next), first, pieces_->count(), source_.path(), reading_, task_);
     if (piece.size() == 0) last_ = piece;
     return true;
   }
@@ -73,6 +76,7 @@ class Stream {
     return sink_->put(piece, task_);
   }
 
+  const ByteSource& source_;
   const ReadSettings& reading_;
   Task& task_;
   std::unique_ptr<CloudPieces> pieces_;
@@ -95,6 +99,8 @@ std::optional<uint64_t> streamed(const std::string& from, const std::string& to,
   if (!can_stream(from, to, format_to_read(source, reading), written, writing)) return std::nullopt;
   reading.box_m();  // refused before anything is read
   if (reading.spacing_m > 0 && !is_copc(source)) return std::nullopt;
+  const bool counts_at_end = !reading.box.empty() || reading.drop_invalid;
+  if (!reading.station.empty() || (reading.max_points > 0 && counts_at_end)) return std::nullopt;
   const auto count = Stream(source, reading, *written, to, writing, task).run();
   if (count) write_station_file({}, to, true);
   return count;

@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "base/error.h"
-#include "cloud/operations.h"
 #include "formats/files/station_file.h"
 #include "formats/files/utf8.h"
 #include "formats/chosen_format.h"
 #include "formats/units/file_unit.h"
+#include "formats/wanted_points.h"
 
 namespace jalon {
 
@@ -165,12 +165,6 @@ const Format* format_to_write(const std::string& path, const WriteSettings& sett
   return chosen != nullptr ? chosen : format_of_extension(path);
 }
 
-Cloud within_box(Cloud cloud, const ReadSettings& settings, Task& task) {
-  if (settings.box.empty()) return cloud;
-  const std::vector<uint8_t> mask = inside_box(cloud, settings.box_m(), Transform{}, task);
-  return select_mask(cloud, mask, 1, task);
-}
-
 Box3 ReadSettings::box_m() const {
   constexpr double kEndless = std::numeric_limits<double>::infinity();
   if (box.empty()) return {{-kEndless, -kEndless, -kEndless}, {kEndless, kEndless, kEndless}};
@@ -201,7 +195,7 @@ Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& ta
     Cloud cloud = with_station_file(format.read_cloud(source, settings, task), source.path(),
                                     !has_levels || settings.reads_all(), task);
     if (!format.knows_units) cloud = in_metres(std::move(cloud), settings.unit, task);
-    return within_box(std::move(cloud), settings, task);
+    return wanted_points(std::move(cloud), source.path(), settings, task);
   }
   refuse_option(path, settings.format, &Format::read_cloud, "cloud", true);
   const auto models =
@@ -213,9 +207,12 @@ Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& ta
 Model read_model(const std::string& path, const ReadSettings& settings, Task& task) {
   const ByteSource source(path);
   const Format& format = format_to_read(source, settings);
-  if (!settings.reads_all())
-    fail(Status::kUnsupported, "%s: the options \"box\" and \"spacing_m\" are of clouds",
-         path.c_str());
+  if (!settings.reads_whole())
+    fail(
+        Status::kUnsupported,
+        "%s: the options \"box\", \"spacing_m\", \"station\", \"max_points\" and \"fields\" are of "
+        "clouds",
+        path.c_str());
   if (format.read_model != nullptr) return format.read_model(source, settings, task);
   refuse_option(path, settings.format, &Format::read_model, "model", true);
   auto models = names_of([](const Format& f) { return f.read_model != nullptr; });

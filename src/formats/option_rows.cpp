@@ -10,6 +10,7 @@
 #include "formats/geopackage/sqlite_database.h"
 #include "formats/png/grey_file.h"
 #include "formats/registry.h"
+#include "formats/wanted_points.h"
 
 // What users read about formats, made from the registry when the library is compiled.
 namespace jalon {
@@ -99,6 +100,17 @@ constexpr auto kPlaceRows = setting_rows(
                                          "Read the octree of a COPC file or of EPT down to the "
                                          "level whose points stand no wider apart than this; "
                                          "0: all points"),
+    string_row<&ReadSettings::station>("station", "",
+                                       "Read the points of this scan station alone: its name, or "
+                                       "its number from 1. Empty: of all"),
+    integer_row<&ReadSettings::max_points>("max_points", 0, kMostKeptPoints, "points", "",
+                                           "Most points of a cloud: of those that the other "
+                                           "options leave, so many are kept evenly, in "
+                                           "the order of the file; 0: all"),
+    string_row<&ReadSettings::fields>(
+        "fields", "",
+        "Fields of a cloud to read, by name, separated by blanks or commas, as \"intensity "
+        "classification\"; one that the file lacks is an error. \"-\": none; empty: all"),
     number_row<&ReadSettings::png_source_pixel_m>(
         "png_source_pixel_m", 0, 1000, "m", "png",
         "Edge of a pixel of a PNG file that tells none, neither itself nor by a world file (pgw)"),

@@ -30,11 +30,19 @@ struct ReadSettings {
   FileUnit unit = FileUnit::kAuto;
   std::vector<double> box{};      ///< least x, y, z, then greatest; empty = all
   double spacing_m = 0;           ///< 0 = all points
+  std::string station;            ///< name or number of the one whose points are read; "" = all
+  int64_t max_points = 0;         ///< 0 = all
+  std::string fields;             ///< names; "" = all, "-" = none
   double png_source_pixel_m = 0;  ///< of files that do not tell it, as the next two
   double png_step_m = 0;
   double png_zero_m = 0;
 
+  /// All points of the file's octree, where it has one.
   bool reads_all() const { return box.empty() && spacing_m == 0; }
+  /// All that the file has: nothing that is of clouds alone is told.
+  bool reads_whole() const {
+    return reads_all() && station.empty() && max_points == 0 && fields.empty();
+  }
   /// The box, closed, or all space; Error(kInvalidArgument) where it is none.
   Box3 box_m() const;
 };

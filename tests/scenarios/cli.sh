@@ -72,6 +72,9 @@ if [ "$has_codecs" -ne 0 ]; then
 else
   echo "skipped: COPC was not built" && skipped=$((skipped + 1))
 fi
+check "convert keeps at most so many points, and the fields that are named" bash -c "'$jalon' convert quiet.las few.ply --max-points 1000 --fields 'intensity' --quiet && '$jalon' info few.ply --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"points\"] == 1000 and [f[\"name\"] for f in d[\"fields\"]] == [\"intensity\"], d'"
+check "info of one station alone" bash -c "'$jalon' info quiet.las --only-station 1 --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"stations\"]) == 1 and d[\"stations\"][0][\"points\"] == d[\"points\"], d'"
+refuses "a field that the scan lacks" 3 'no field "colour"; there are: ' "$jalon" info --fields colour quiet.las
 refuses "a box of three numbers" 2 'box' "$jalon" info --box 1,2,3 quiet.las
 refuses "levels of a file that has none" 6 'COPC' "$jalon" info --spacing 0.1 quiet.las
 check "convert joins scans, and PCD keeps them" bash -c "'$jalon' convert quiet.las quiet.xyz quiet.las both.pcd --json | python3 -c 'import json,sys; d=json.load(sys.stdin); assert len(d[\"inputs\"])==3, d; print(d[\"points\"])' >n && '$jalon' convert both.pcd again.ply --json | grep -q \"\$(cat n)\""

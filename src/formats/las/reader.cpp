@@ -18,6 +18,7 @@
 #include "formats/las/layout.h"
 #include "formats/las/stations.h"
 #include "formats/units/file_unit.h"
+#include "formats/wanted_points.h"
 
 namespace jalon {
 
@@ -242,9 +243,24 @@ struct LasReading : LasFrame {
       laz->require_points(task);
     }
     core = point_format(header.format)->bytes;
+    standard = dimensions(header.format);
     extra = extra_dimensions(vlrs, evlrs, header.record_bytes - core, task);
     for (ExtraDimension& dimension : extra)
       dimension.field.name = field_of_exact(header.format, dimension.field.name);
+    leave_out(settings);
+  }
+
+  // Fields that nobody wants are not decoded; all are where one is missing, for the message, or tells the stations.
+  void leave_out(const ReadSettings& settings) {
+    std::vector<std::string> names;
+    for (const Dimension& dimension : standard) names.push_back(dimension.field.name);
+    for (const ExtraDimension& dimension : extra) names.push_back(dimension.field.name);
+    if (tells_stations() || !wants_only(settings, names)) return;
+    const auto is_unwanted = [&](const auto& dimension) {
+      return !wants_field(settings, dimension.field.name);
+    };
+    std::erase_if(standard, is_unwanted);
+    std::erase_if(extra, is_unwanted);
   }
 
   size_t count() const { return laz ? laz->count() : header.count; }
@@ -263,7 +279,7 @@ struct LasReading : LasFrame {
   /// With its fields and CRS.
   Cloud points(const PointRun& run, Task& task) const {
     std::vector<Extraction> extractions;
-    for (const Dimension& dimension : dimensions(header.format))
+    for (const Dimension& dimension : standard)
       extractions.push_back(extraction_of(dimension, run.count));
     for (const ExtraDimension& dimension : extra)
       extractions.push_back(extraction_of(dimension, core, run.count));
@@ -289,6 +305,7 @@ struct LasReading : LasFrame {
   Vec3 unit;  ///< metres
   std::optional<LazPoints> laz;
   size_t core = 0;  ///< bytes of a record before the extra ones
+  std::vector<Dimension> standard;
   std::vector<ExtraDimension> extra;
 };
 

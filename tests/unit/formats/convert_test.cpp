@@ -56,6 +56,12 @@ TEST_CASE("convert__of_several_pieces_gives_the_bytes_of_the_whole") {
   check_as_read_and_written(folder, "large.las", "las", box);
   box.reading.box = {0, 0, 0, 1, 1, 1};
   check_as_read_and_written(folder, "large.las", "las", box);
+  ConvertSettings thin;
+  thin.reading.max_points = 1500;
+  thin.reading.fields = "classification";
+  check_as_read_and_written(folder, "large.las", "las", thin);
+  thin.reading.box = box.reading.box;
+  check_as_read_and_written(folder, "large.las", "xyz", thin);
   ConvertSettings steps;  // that the first piece cannot settle
   steps.writing.scale = 0.01;
   check_as_read_and_written(folder, "large.las", "las", steps);
