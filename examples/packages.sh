@@ -17,6 +17,6 @@ need_packages() {
 }
 
 # What the library and its command line tool are built with.
-build_packages=(g++ cmake ninja-build libeigen3-dev libboost-dev nlohmann-json3-dev libcli11-dev libfcl-dev libccd-dev libsqlite3-dev libpng-dev)
+build_packages=(g++ cmake ninja-build libeigen3-dev libboost-dev nlohmann-json3-dev libcli11-dev libfcl-dev libccd-dev libsqlite3-dev zlib1g-dev libpng-dev)
 # What the bindings are built with beside: Python, Java and C#; each is left out where its tools are missing.
 binding_packages=(swig python3-dev default-jdk-headless mono-mcs mono-runtime libmono-system-core4.0-cil unzip patchelf)

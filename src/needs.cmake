@@ -55,7 +55,7 @@ function(jalon_stop_where_missing)
     string(APPEND without "\nWithout SQLite it is built by -DJALON_WITH_SQLITE=OFF: no GeoPackage.")
   endif()
   if(jalon_missing MATCHES "libpng")
-    string(APPEND without "\nWithout libpng it is built by -DJALON_WITH_LIBPNG=OFF: no depth images as PNG.")
+    string(APPEND without "\nWithout libpng it is built by -DJALON_WITH_LIBPNG=OFF: no PNG, and drawings and reports without pictures of points.")
   endif()
   message(FATAL_ERROR "Jalon cannot be built, missing: ${missing}. On Debian this installs it:\n"
                       "  apt install ${debian}${without}\n")

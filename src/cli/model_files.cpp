@@ -128,7 +128,8 @@ std::vector<std::string> Orthoimages::write(const Console& console,
     const jalon_status status = jalon_report_write_orthoimage(
         segmentation, model, folder.unlisted_path(stem + extension).c_str(), options.get(),
         console.task());
-    if (status == JALON_ERROR_DEGENERATE || status == JALON_ERROR_INSUFFICIENT_DATA) {
+    if (status == JALON_ERROR_DEGENERATE || status == JALON_ERROR_INSUFFICIENT_DATA ||
+        status == JALON_ERROR_UNSUPPORTED) {  // a library without libpng
       console.warn(stem + extension + " is left out: " + jalon_last_error_message());
       return;
     }

@@ -22,8 +22,8 @@ bool wants_field(const ReadSettings& settings, std::string_view name);
 /// Whether the option names none but these.
 bool wants_only(const ReadSettings& settings, const std::vector<std::string>& names);
 
-/// Of what was read from the path: the points of the box, of those the ones of the station, of these at most so many; with the fields wanted.
-/// Error(kNotFound) where there is no such station or field.
+/// Of what was read from the path: the points of the box, of those the ones of the station, of these at most so many;
+/// with the fields wanted. Error(kNotFound) where there is no such station or field.
 Cloud wanted_points(Cloud cloud, const std::string& path, const ReadSettings& settings, Task& task);
 
 /// The same of points [first, first + cloud.size()) of `all` that come one piece after another, each with all fields.

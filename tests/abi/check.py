@@ -20,7 +20,7 @@ from source import ROOT, Tally, public_functions  # noqa: E402
 
 NODE = "JALON_0"
 SYSTEM_LIBRARIES = re.compile(r"lib(c|m|pthread|stdc\+\+|gcc_s)\.so\.\d+$|ld-linux.*")
-OPTIONAL = {"FCL": ["libfcl", "libccd"], "SQLITE": ["libsqlite3"], "LIBPNG": ["libpng16", "libz"]}  # by the option of the build that brings them
+OPTIONAL = {"FCL": ["libfcl", "libccd"], "SQLITE": ["libsqlite3"], "LIBPNG": ["libpng16"]}  # by the option of the build that brings them
 LINKER_MADE = re.compile(r"^(completed\.\d+|__dso_handle|_DYNAMIC|_GLOBAL_OFFSET_TABLE_|__TMC_END__|__bss_start|_edata|_end|"
                          r"DW\.ref\..*|__gcov.*|__llvm.*)$")
 # Of the optional component of Rust, whose names change with its compiler: what its run time keeps about panics, threads and the
@@ -106,9 +106,9 @@ def hardening(library):
 
 
 def needed(library, optional):
-    """Those that options of the build bring are the only needs beside the C++ library's own."""
+    """zlib, and those that options of the build bring, are the only needs beside the C++ library's own."""
     for name in re.findall(r"\(NEEDED\).*\[(.+)\]", run("readelf", "-dW", library)):
-        if not SYSTEM_LIBRARIES.match(name) and name.split(".")[0] not in optional:
+        if not SYSTEM_LIBRARIES.match(name) and name.split(".")[0] not in ["libz", *optional]:
             yield name
 
 
@@ -201,7 +201,7 @@ def main():
                     (d for d in difference([name for name in writable_globals(library) if not OF_RUST.match(name)],
                                            lines_of("globals.txt"), "globals.txt") if d[0] == "+"))
         optional = [name for option, names in OPTIONAL.items() if "JALON_WITH_%s:BOOL=ON" % option in cache for name in names]
-        tally.check("abi: needs libc, libm, libpthread, libstdc++ and libgcc_s only" + "".join(", " + name for name in optional),
+        tally.check("abi: needs libc, libm, libpthread, libstdc++, libgcc_s and libz only" + "".join(", " + name for name in optional),
                     needed(library, optional))
         tally.check("abi: full RELRO, no executable stack, no text relocations, no build path", hardening(library))
     types(tally)

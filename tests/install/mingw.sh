@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The library and the tool for Windows: mingw.sh [BUILD_FOLDER]
 # Compiled by Debian's cross compiler without a warning, and run by Wine where that is installed, which is not Windows itself.
-# Without FCL and SQLite, which Debian has for its own system alone.
+# Without FCL, SQLite and libpng, which Debian has for its own system alone.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 . "$here/builds.sh"
@@ -51,6 +51,7 @@ export WINEPREFIX=$work/wine WINEDEBUG=-all
 for library in libstdc++-6.dll libgcc_s_seh-1.dll libwinpthread-1.dll; do
   cp "$(x86_64-w64-mingw32-g++-posix -print-file-name="$library")" "$prefix/bin/"
 done
+cp /usr/x86_64-w64-mingw32/lib/zlib1.dll "$prefix/bin/"
 cp "$work/consumer/consumer.exe" "$prefix/bin/"
 cd "$work" && "$wine" wineboot >/dev/null 2>&1
 tool() { "$wine" "$prefix/bin/jalon.exe" "$@"; }

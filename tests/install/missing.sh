@@ -35,6 +35,7 @@ names() {
 names Boost "apt install libboost-dev"
 names Eigen3 "apt install libeigen3-dev"
 names nlohmann_json "apt install nlohmann-json3-dev"
+names ZLIB "apt install zlib1g-dev"
 names fcl "apt install libfcl-dev"
 names fcl "-DJALON_WITH_FCL=OFF"
 names SQLite3 "apt install libsqlite3-dev"

@@ -276,7 +276,7 @@ while at < len(png):
     n, kind = struct.unpack('>I4s', png[at:at + 8])
     body = png[at + 8:at + 8 + n]
     assert struct.unpack('>I', png[at + 8 + n:at + 12 + n])[0] == zlib.crc32(kind + body)
-    chunks[kind], at = body, at + 12 + n
+    chunks[kind], at = chunks.get(kind, b'') + body, at + 12 + n
 width, height = struct.unpack('>II', chunks[b'IHDR'][:8])
 rows = zlib.decompress(chunks[b'IDAT'])
 assert len(rows) == height * (width + 1) and len(set(rows)) > 5

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <span>
 
-#include "formats/files/deflate_blocks.h"
 #include "formats/files/endian.h"
+#include "formats/files/zlib_stream.h"
 
 namespace jalon {
 
@@ -73,7 +73,7 @@ Strips strips_of(uint32_t width, uint32_t height, const Samples& samples, Task& 
     std::string plain;
     for (uint32_t y = first; y < std::min(height, first + out.rows); ++y) append_row(y, plain);
     const ProgressSpan span(task, 0, 0);
-    const std::string packed = zlib_blocks(plain, task);
+    const std::string packed = zlib_stream(plain, Redundancy::kAny, task);
     out.offsets.push_back(static_cast<uint32_t>(out.bytes.size()));
     out.sizes.push_back(static_cast<uint32_t>(packed.size()));
     out.bytes += packed;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/task.h"
-#include "formats/drawings/png_writer.h"
+#include "formats/drawings/pixels.h"
 
 namespace jalon {
 

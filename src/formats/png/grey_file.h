@@ -10,7 +10,7 @@
 #include "base/task.h"
 #include "formats/files/byte_source.h"
 
-// The only place that asks libpng, an optional component: libpng_file.cpp or libpng_absent.cpp is compiled.
+// libpng is an optional component: libpng_file.cpp and libpng_writing.cpp are compiled, or libpng_absent.cpp.
 namespace jalon::png {
 
 /// Whether this library was built with libpng.

@@ -1,15 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <png.h>
-
-#include <csetjmp>
-#include <cstring>
-#include <exception>
+#include <memory>
 #include <new>
 #include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "formats/png/grey_file.h"
+#include "formats/png/libpng_session.h"
 
 namespace jalon::png {
 
@@ -20,54 +18,6 @@ namespace {
 
 constexpr int kSamplesWithAlpha = 2;
 
-// What libpng calls back with, and what it said when it gave up. It leaves its functions by longjmp, which must pass
-// over no object with a destructor: guarded() is the only place that it comes back to, and the steps that it is given
-// have none.
-struct Session {
-  png_structp png = nullptr;
-  png_infop info = nullptr;
-  std::exception_ptr failure;  ///< of a callback
-  char message[160] = {};
-
-  const ByteSource* source = nullptr;  // of a reader
-  uint64_t offset = 0;
-  png_bytep row = nullptr;
-
-  std::string* out = nullptr;  // of a writer
-  const GreyImage* image = nullptr;
-  png_text* text = nullptr;
-};
-
-[[noreturn]] void give_up(png_structp png, png_const_charp message) {
-  auto* session = static_cast<Session*>(png_get_error_ptr(png));
-  std::strncpy(session->message, message, sizeof session->message - 1);
-  png_longjmp(png, 1);
-}
-void keep_quiet(png_structp, png_const_charp) {}
-
-bool guarded(Session& session, void (*step)(Session&)) {
-  if (setjmp(png_jmpbuf(session.png)) != 0) return false;
-  step(session);
-  return true;
-}
-
-// Throws what a callback met, or that there was no memory; else it was the file.
-void throw_own(const Session& session) {
-  if (session.failure) std::rethrow_exception(session.failure);
-  if (std::string_view(session.message).find("memory") != std::string_view::npos)
-    throw std::bad_alloc();
-}
-
-template <class F>
-void call_back(png_structp png, Session& session, F&& f) {
-  try {
-    f();
-  } catch (...) {
-    session.failure = std::current_exception();
-  }
-  if (session.failure) png_error(png, "the host failed");
-}
-
 void read_bytes(png_structp png, png_bytep out, size_t bytes) {
   auto& session = *static_cast<Session*>(png_get_io_ptr(png));
   call_back(png, session, [&] {
@@ -75,13 +25,6 @@ void read_bytes(png_structp png, png_bytep out, size_t bytes) {
     session.offset += bytes;
   });
 }
-
-void write_bytes(png_structp png, png_bytep bytes, size_t count) {
-  auto& session = *static_cast<Session*>(png_get_io_ptr(png));
-  call_back(png, session,
-            [&] { session.out->append(reinterpret_cast<const char*>(bytes), count); });
-}
-void flush_nothing(png_structp) {}
 
 }  // namespace
 
@@ -171,57 +114,6 @@ const std::vector<int32_t>& GreyReader::next_row() {
 
 void GreyReader::finish() {
   state_->run([](Session& session) { png_read_end(session.png, nullptr); });
-}
-
-std::string grey_png(const GreyImage& image, const char* keyword, const std::string& text,
-                     Task& task) {
-  std::string out, key = keyword, value = text;
-  png_text chunk = {};
-  chunk.compression = PNG_TEXT_COMPRESSION_NONE;
-  chunk.key = key.data();
-  chunk.text = value.data();
-  chunk.text_length = value.size();
-  struct Writing {
-    Session session;
-    ~Writing() { png_destroy_write_struct(&session.png, &session.info); }
-  } writing;
-  Session& s = writing.session;
-  s.out = &out;
-  s.image = &image;
-  s.text = &chunk;
-  s.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &s, give_up, keep_quiet);
-  if (s.png == nullptr) throw std::bad_alloc();
-  s.info = png_create_info_struct(s.png);
-  if (s.info == nullptr) throw std::bad_alloc();
-  const auto run = [&](void (*step)(Session&)) {
-    if (guarded(s, step)) return;
-    throw_own(s);
-    fail(Status::kInternal, "libpng: %.150s", s.message);
-  };
-  run([](Session& session) {
-    png_set_write_fn(session.png, &session, write_bytes, flush_nothing);
-    png_set_IHDR(session.png, session.info, session.image->width, session.image->height,
-                 session.image->bits, PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_color_16 transparent = {};
-    png_set_tRNS(session.png, session.info, nullptr, 0, &transparent);
-    png_set_text(session.png, session.info, session.text, 1);
-    png_write_info(session.png, session.info);
-  });
-  const size_t sample = image.bits == 16 ? 2 : 1;
-  std::vector<png_byte> row(sample * image.width);
-  s.row = row.data();
-  for (uint32_t r = 0; r < image.height; ++r) {
-    task.checkpoint(static_cast<double>(r) / image.height);
-    const uint16_t* from = image.pixels.data() + size_t{r} * image.width;
-    for (size_t c = 0; c < image.width; ++c) {
-      if (sample == 2) row[2 * c] = static_cast<png_byte>(from[c] >> 8);
-      row[sample * c + sample - 1] = static_cast<png_byte>(from[c] & 0xff);
-    }
-    run([](Session& session) { png_write_row(session.png, session.row); });
-  }
-  run([](Session& session) { png_write_end(session.png, nullptr); });
-  return out;
 }
 
 }  // namespace jalon::png

@@ -8,6 +8,7 @@
 #include "cloud/cloud.h"
 #include "report/elevation/title_block.h"
 #include "report/pictures/picture_axes.h"
+#include "report/pictures/shown_image.h"
 #include "report/sheet/svg_parts.h"
 
 namespace jalon {
@@ -103,14 +104,7 @@ void draw_class_points(SvgWriter& svg, const CodePlan& plan) {
   for (const Rgb& colour : kClassColours) image.palette.push_back(colour);
   for (const uint32_t label : plan.raster.labels)
     image.pixels.push_back(static_cast<uint8_t>(label));
-  const Box_mm& v = plan.sheet.view;
-  svg.leaf("image", {{"x", v.x},
-                     {"y", v.y},
-                     {"width", v.width},
-                     {"height", v.height},
-                     {"preserveAspectRatio", "none"},
-                     {"style", "image-rendering:pixelated"},
-                     {"xlink:href", "data:image/png;base64," + base64_of(png_of(image))}});
+  draw_shown_image(svg, plan.sheet.view, image);
 }
 
 void draw_lines(SvgWriter& svg, const std::vector<Vec2>& points, bool is_closed, const char* colour,

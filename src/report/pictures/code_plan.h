@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/task.h"
-#include "formats/drawings/png_writer.h"
+#include "formats/drawings/pixels.h"
 #include "segment/codes/notes_reader.h"
 #include "segment/segmentation.h"
 

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "base/text_number.h"
 #include "formats/drawings/geotiff_writer.h"
-#include "formats/drawings/png_writer.h"
+#include "formats/png/pictures.h"
 
 namespace jalon {
 

@@ -8,7 +8,7 @@
 
 #include "base/task.h"
 #include "compare/comparison.h"
-#include "formats/drawings/png_writer.h"
+#include "formats/drawings/pixels.h"
 
 namespace jalon {
 

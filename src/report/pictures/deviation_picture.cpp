@@ -10,9 +10,11 @@
 #include "base/setting_rows.h"
 #include "cloud/statistics.h"
 #include "compare/landslide/cell_table.h"
+#include "formats/png/pictures.h"
 #include "report/elevation/title_block.h"
 #include "report/pictures/deviation_raster.h"
 #include "report/pictures/picture_axes.h"
+#include "report/pictures/shown_image.h"
 #include "report/pictures/zone_lines.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
@@ -101,15 +103,7 @@ std::string deviation_svg(const Comparison& comparison, const DeviationScale& sc
   open_figure(svg, sheet, title);
   draw_picture_title(svg, sheet, title);
   const Box_mm& v = sheet.view;
-  if (!is_empty)
-    svg.leaf("image", {{"x", v.x},
-                       {"y", v.y},
-                       {"width", v.width},
-                       {"height", v.height},
-                       {"preserveAspectRatio", "none"},
-                       {"style", "image-rendering:pixelated"},
-                       {"xlink:href", "data:image/png;base64," +
-                                          base64_of(png_of(deviation_image(raster, scale)))}});
+  if (!is_empty) draw_shown_image(svg, v, deviation_image(raster, scale));
   draw_picture_frame(svg, sheet);
   const auto place = [&](const Vec3& p) {
     const Vec2 at = projection.flat(p);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "formats/drawings/png_writer.h"
+#include "formats/drawings/pixels.h"
 #include "report/pictures/deviation_picture.h"
 #include "report/pictures/label_raster.h"
 

@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "formats/drawings/png_writer.h"
+#include "formats/drawings/pixels.h"
 #include "report/pictures/deviation_raster.h"
 #include "geometry/plane.h"
+#include "report/pictures/shown_image.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
 
@@ -52,14 +53,11 @@ void draw_points(SvgWriter& svg, const LabelRaster& raster, const DeviationScale
   const double mm = at.width / (high.u - low.u);
   svg.open("svg", {{"x", at.x}, {"y", at.y}, {"width", at.width}, {"height", at.height}});
   if (!raster.labels.empty())
-    svg.leaf("image", {{"x", (raster.low.u - low.u) * mm},
-                       {"y", at.height - (raster.low.v + raster.height_m() - low.v) * mm},
-                       {"width", raster.width_m() * mm},
-                       {"height", raster.height_m() * mm},
-                       {"preserveAspectRatio", "none"},
-                       {"style", "image-rendering:pixelated"},
-                       {"xlink:href", "data:image/png;base64," +
-                                          base64_of(png_of(deviation_image(raster, scale)))}});
+    draw_shown_image(
+        svg,
+        {(raster.low.u - low.u) * mm, at.height - (raster.low.v + raster.height_m() - low.v) * mm,
+         raster.width_m() * mm, raster.height_m() * mm},
+        deviation_image(raster, scale));
   svg.close();
 }
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "formats/drawings/png_writer.h"
+#include "formats/drawings/pixels.h"
 #include "report/pictures/label_raster.h"
 
 namespace jalon {

@@ -10,9 +10,11 @@
 #include "formats/drawings/geotiff_writer.h"
 #include "formats/files/atomic_file.h"
 #include "formats/files/utf8.h"
+#include "formats/png/pictures.h"
 #include "report/elevation/title_block.h"
 #include "report/pictures/label_raster.h"
 #include "report/pictures/picture_axes.h"
+#include "report/pictures/shown_image.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
 
@@ -136,13 +138,7 @@ std::string orthoimage_svg(const Orthoimage& image, const std::string& title, Ta
   svg.leaf(
       "rect",
       {{"x", v.x}, {"y", v.y}, {"width", v.width}, {"height", v.height}, {"fill", kNoDataPaper}});
-  svg.leaf("image",
-           {{"x", v.x},
-            {"y", v.y},
-            {"width", v.width},
-            {"height", v.height},
-            {"preserveAspectRatio", "none"},
-            {"xlink:href", "data:image/png;base64," + base64_of(orthoimage_png(image, task))}});
+  draw_shown_image(svg, v, rgba_of(image), task);
   svg.leaf("rect", {{"x", v.x},
                     {"y", v.y},
                     {"width", v.width},

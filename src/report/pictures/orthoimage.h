@@ -11,7 +11,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
-#include "formats/drawings/png_writer.h"
+#include "formats/drawings/pixels.h"
 #include "formats/facade_views.h"
 #include "model/model.h"
 

@@ -7,11 +7,13 @@
 
 #include "base/setting_rows.h"
 #include "base/text_number.h"
+#include "formats/png/pictures.h"
 #include "report/elevation/title_block.h"
 #include "report/pictures/code_plan.h"
 #include "report/pictures/label_colours.h"
 #include "report/pictures/label_numbers.h"
 #include "report/pictures/picture_axes.h"
+#include "report/pictures/shown_image.h"
 #include "report/sheet/svg_parts.h"
 
 namespace jalon {
@@ -38,16 +40,7 @@ struct Picture {
 };
 
 void draw_image(SvgWriter& svg, const Picture& picture) {
-  const Box_mm& v = picture.sheet.view;
-  svg.leaf("image",
-           {{"x", v.x},
-            {"y", v.y},
-            {"width", v.width},
-            {"height", v.height},
-            {"preserveAspectRatio", "none"},
-            {"style", "image-rendering:pixelated"},
-            {"xlink:href", "data:image/png;base64," +
-                               base64_of(png_of(image_of(picture.raster, picture.colours)))}});
+  draw_shown_image(svg, picture.sheet.view, image_of(picture.raster, picture.colours));
 }
 
 // Front: x counts from the left end of the picture, as on the elevation; plan: X and Y of the data.

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "base/parallel.h"
-#include "formats/files/deflate_blocks.h"
+#include "formats/files/zlib_stream.h"
 
 namespace jalon {
 
@@ -160,7 +160,7 @@ PackedCloud pack_cloud(const ViewCloud& view, size_t most_points, Task& task) {
     out.channel_is_plain.push_back(is_plain);
     add_channel(planes, channel, step, is_plain, points, task);
   }
-  out.bytes = zlib_blocks(planes.bytes(), task);
+  out.bytes = zlib_stream(planes.bytes(), Redundancy::kRuns, task);
   return out;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "cloud/cloud.h"
-#include "formats/drawings/png_writer.h"
+#include "formats/drawings/pixels.h"
 #include "geometry/vec.h"
 #include "model/model.h"
 

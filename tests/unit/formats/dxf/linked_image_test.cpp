@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "formats/drawings/png_writer.h"
+#include "formats/png/pictures.h"
 #include "formats/dxf/dxf.h"
 #include "formats/facade_views.h"
 #include "unit/formats/dxf/tags.h"

@@ -9,22 +9,17 @@
 
 #include "base/field.h"
 #include "cloud/cloud.h"
-#include "formats/files/deflate.h"
+#include "unit/formats/png/png_chunks.h"
 
 /// What pictures hold, and clouds to draw.
 namespace picture_pixels {
 
 using namespace jalon;
 
-/// Whether a PNG file holds these palette indices, row by row from the top: its stream is that of the rows, each behind
-/// the byte of filter 0.
+/// Whether a PNG file holds these palette indices, row by row from the top.
 inline bool has_pixels(const std::string& png, size_t columns, std::span<const uint8_t> pixels) {
-  std::string rows;
-  for (size_t i = 0; i < pixels.size(); ++i) {
-    if (i % columns == 0) rows += '\0';
-    rows += static_cast<char>(pixels[i]);
-  }
-  return png.find(zlib_of(rows, columns + 1)) != std::string::npos;
+  const PngChunks chunks(png);
+  return chunks.width() == columns && chunks.pixels(1) == std::string(pixels.begin(), pixels.end());
 }
 
 /// Bytes of the palette's entry, red, green, blue.
