@@ -29,6 +29,9 @@
  *   the levels follow one another. A CRS is kept as in LAS; other programs want it as WKT, which UTM on WGS 84 and
  *   on ETRS89, Lambert-93 and CC42 to CC50 get from their EPSG code; of other codes a warning says that they have
  *   none. The same bytes for any number of threads.
+ * - GeoTIFF (tif), written: a depth image as float32 metres, seen from "png_direction": from above the heights of
+ *   the highest points in the cloud's own system (its EPSG code, where its unit is the metre), else x and y along the
+ *   image.
  * - EPT (ept.json), read and written: Entwine Point Tile 1.0 in its binary form, a folder that the path of its
  *   ept.json names and that is made where there is none: the points of each node of the octree that COPC has as
  *   ept-data/D-X-Y-Z.bin, their numbers in ept-hierarchy. The data set appears whole, in place of an old one. Fields

@@ -111,7 +111,7 @@ struct Segment {
 
   // Every method on the same scan, as a table and a page.
   void compare(Console& console) const {
-    if (picks.are_given() || settings.is_given() || edge_curve.label > 0 || raster.wanted)
+    if (picks.are_given() || settings.is_given() || edge_curve.label > 0 || raster.wanted())
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
                     "--compare-methods takes every method with its defaults: no --pick, no "
                     "--segment-set, no --edge-curve, no --raster"};

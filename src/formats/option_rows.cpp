@@ -145,10 +145,10 @@ constexpr auto kWriteCloudRows = setting_rows(
     choice_row<&WriteSettings::ply_format>("ply_format", "binary|binary_big_endian|ascii", "ply",
                                            "binary is little-endian"),
     doubles_row<&WriteSettings::png_direction>(
-        "png_direction", -1, 1, "1", "png",
+        "png_direction", -1, 1, "1", "png,tif",
         "Where a depth image is seen from: x, y, z toward the viewer; empty: from above"),
     number_row<&WriteSettings::png_pixel_m>(
-        "png_pixel_m", 0, 1000, "m", "png",
+        "png_pixel_m", 0, 1000, "m", "png,tif",
         "Edge of a pixel of a depth image; 0: two points a pixel on average"),
     choice_row<&WriteSettings::png_bits>("png_bits", "16|8", "png",
                                          "Bits of a grey value of a depth image"),

@@ -30,6 +30,7 @@
 #include "formats/settings.h"
 #include "formats/stl/stl.h"
 #include "formats/text/text.h"
+#include "formats/tiff/tiff.h"
 #include "model/model.h"
 #include "model/part_attributes.h"
 
@@ -182,6 +183,10 @@ inline constexpr Format kFormats[] = {
      .read_cloud = read_png,
      .write_cloud = write_png,
      .component = kLibpng},
+    {.name = "GeoTIFF",
+     .keyword = "tif",
+     .extensions = "tif tiff",
+     .write_cloud = write_depth_tiff},
     {.name = "EPT",
      .keyword = "ept",
      .extensions = "ept.json",

@@ -170,7 +170,7 @@ check "network draws its plan with ellipses and lists the reliability" bash -c "
 refuses "a survey with a wrong line" 3 'observations, line 2' bash -c "printf 'from to distance\\nA B far\\n' >wrong.txt; exec '$jalon' network wrong.txt -o no"
 refuses "a survey that nothing holds" 5 'nothing holds' "$jalon" network sights.txt -o no
 if "$jalon" formats | grep -q '^PNG .*read write'; then
-  check "a raster is written, and segmented again" bash -c "'$jalon' segment sample.las -o grown --method raster_growing --raster --quiet && '$jalon' segment grown/raster.png -o again --method raster_growing --json --quiet | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"segments\"], d'"
+  check "a raster is written, and segmented again" bash -c "'$jalon' segment sample.las -o grown --method raster_growing --raster --raster-tif --quiet && head -c 4 grown/raster.tif | od -An -tx1 | grep -q '49 49 2a 00' && '$jalon' segment grown/raster.png -o again --method raster_growing --json --quiet | python3 -c 'import json,sys; d=json.load(sys.stdin); assert d[\"segments\"], d'"
 else
   echo "skipped: depth images (libpng was not built)" && skipped=$((skipped + 1))
 fi

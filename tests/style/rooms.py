@@ -29,7 +29,7 @@ SUBROOMS = {
     "scan": {"mobile": [], "builder": [], "grammar": ["builder"], "yard": ["builder"], "scenes": ["grammar", "yard"]},
     "formats": {
         "files": [], "units": ["files"], "text": ["files"], "codecs": ["files"], "las": ["units", "codecs"], "e57": ["codecs"], "ept": ["las"], "ply": ["text"], "obj": ["text"],
-        "stl": ["text"], "ptx": ["text"], "pts": ["text"], "pcd": ["text"], "city": ["units"], "dxf": ["text", "units"], "geojson": ["units"], "geopackage": ["units"], "glb": ["files"], "ifc": ["units"], "drawings": ["files"], "png": ["drawings"],
+        "stl": ["text"], "ptx": ["text"], "pts": ["text"], "pcd": ["text"], "city": ["units"], "dxf": ["text", "units"], "geojson": ["units"], "geopackage": ["units"], "glb": ["files"], "ifc": ["units"], "drawings": ["files"], "png": ["drawings"], "tiff": ["drawings", "units"],
         "trajectory": ["text"],
     },
     "segment": {

@@ -87,11 +87,14 @@ std::vector<Entry> corner_entries(double left, double top, double width, double 
   return {doubles(33550, {width, height, 0}), doubles(33922, {0, 0, 0, left, top, 0})};
 }
 
-// GeoKeys (OGC 19-008r4, annex B): a user-defined model in metres, pixels are areas, a citation.
+// GeoKeys (OGC 19-008r4, annex B): a projected system by its code, or a user-defined model in metres; pixels are areas,
+// a citation.
 std::vector<Entry> entries_of(const RasterPlace& place) {
   constexpr uint16_t kVersion = 1, kRevision = 1, kMinor = 1, kKeys = 4;
   constexpr uint16_t kModelType = 1024, kRasterType = 1025, kCitation = 1026, kLinearUnits = 3076;
-  constexpr uint16_t kUserDefined = 32767, kPixelIsArea = 1, kMetre = 9001, kAsciiParams = 34737;
+  constexpr uint16_t kProjectedSystem = 3072, kProjected = 1, kUserDefined = 32767;
+  constexpr uint16_t kPixelIsArea = 1, kMetre = 9001, kAsciiParams = 34737;
+  const bool has_code = place.epsg != 0;
   const std::string citation = place.system + "|";
   const auto length = static_cast<uint16_t>(citation.size());
   std::vector<Entry> entries =
@@ -103,7 +106,7 @@ std::vector<Entry> entries_of(const RasterPlace& place) {
                                    kModelType,
                                    0,
                                    1,
-                                   kUserDefined,  //
+                                   has_code ? kProjected : kUserDefined,  //
                                    kRasterType,
                                    0,
                                    1,
@@ -112,10 +115,10 @@ std::vector<Entry> entries_of(const RasterPlace& place) {
                                    kAsciiParams,
                                    length,
                                    0,  //
-                                   kLinearUnits,
+                                   has_code ? kProjectedSystem : kLinearUnits,
                                    0,
                                    1,
-                                   kMetre}));
+                                   has_code ? place.epsg : kMetre}));
   entries.push_back(text(kAsciiParams, citation));
   return entries;
 }

@@ -16,6 +16,7 @@ struct RasterPlace {
   double left_m = 0, top_m = 0;  ///< of the outer corner of the first pixel
   double pixel_m = 1;
   std::string system;  ///< what the coordinates are, in ASCII
+  uint16_t epsg = 0;   ///< of the projected system that they are in; 0: a local one
 };
 
 /// Where a raster lies whose axes are angles: to the right clockwise, upward from the horizon. No system of GeoTIFF is

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/task.h"
+#include "formats/drawings/depth_image.h"
 #include "formats/files/byte_source.h"
 
 // libpng is an optional component: libpng_file.cpp and libpng_writing.cpp are compiled, or libpng_absent.cpp.
@@ -18,8 +19,8 @@ bool has_libpng();
 /// Error(kUnsupported) where it was not, with the package that brings it.
 void require_libpng(const std::string& path);
 
-/// Most pixels of an image that is read or written.
-inline constexpr uint64_t kMostPixels = uint64_t{1} << 28;
+/// Most pixels of an image that is read.
+inline constexpr uint64_t kMostPixels = kMostDepthPixels;
 
 /// A grey picture, row by row: memory for one row, whatever the header says. What libpng refuses is Error(kFormat),
 /// colours and interlaced files are Error(kUnsupported), too many pixels Error(kLimit).

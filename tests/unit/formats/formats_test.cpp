@@ -132,7 +132,7 @@ TEST_CASE("formats__where_the_option_names_a_format_that_cannot_do_it_the_option
   to.format = "obj";
   says(failure_of([&] { write(random_points(3, 1), folder.file("a.las"), to); }),
        "no cloud can be written in format \"obj\", which the option \"format\" names; there are: "
-       "copc, laz, e57, las, ply, pcd, png, ept, pts, text, csv");
+       "copc, laz, e57, las, ply, pcd, png, tif, ept, pts, text, csv");
   to.format = "csv";
   says(failure_of([&] { write_model(one_triangle(), folder.file("a.las"), to, task); }),
        "no model can be written in format \"csv\", which the option \"format\" names; there are: "

@@ -46,9 +46,10 @@ std::string refusal_to_write(const std::string& name, bool model) {
 TEST_CASE("registry__choices_of_the_options_are_the_formats_that_have_the_function") {
   CHECK(std::string(read_rows()[0].choices) ==
         "auto|copc|laz|e57|las|ply|pcd|png|ept|ptx|pts|text|obj|stl|cityjson|dxf");
-  CHECK(std::string(write_rows()[0].choices) ==
-        "auto|copc|laz|e57|las|ply|pcd|png|ept|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc|"
-        "gpkg");
+  CHECK(
+      std::string(write_rows()[0].choices) ==
+      "auto|copc|laz|e57|las|ply|pcd|png|tif|ept|pts|text|csv|obj|stl|cityjson|dxf|geojson|glb|ifc|"
+      "gpkg");
 }
 
 TEST_CASE("registry__every_choice_reads_or_writes_something") {
@@ -82,6 +83,7 @@ TEST_CASE("registry__abilities_follow_from_the_functions") {
                      "PLY: ply: cloud read write, model read write",
                      "PCD: pcd: cloud read write",
                      std::string("PNG: png: ") + (png::has_libpng() ? "cloud read write" : ""),
+                     "GeoTIFF: tif tiff: cloud write",
                      "EPT: ept.json: cloud read write",
                      "PTX: ptx: cloud read",
                      "PTS: pts: cloud read write",
@@ -111,7 +113,7 @@ TEST_CASE("registry__rows_are_whole") {
 
 TEST_CASE("registry__messages_list_what_the_rows_can") {
   CHECK(refusal("a.geojson", "{}", true) ==
-        "GeoJSON, glTF, IFC and GeoPackage are written, not read");
+        "GeoTIFF, GeoJSON, glTF, IFC and GeoPackage are written, not read");
   CHECK(refusal("a", "\x01\x02", false) ==
         "neither COPC, LAZ, E57, LAS, PLY, PCD, PNG, EPT, PTX, PTS, OBJ, STL, CityJSON, DXF nor "
         "text");
@@ -122,7 +124,7 @@ TEST_CASE("registry__messages_list_what_the_rows_can") {
     CHECK(has_text(refusal("a.xyz", "ASTM-E57 and more", false), "E57 needs the component"));
   CHECK(refusal_to_write("a.doc", false) ==
         "no format of extension \"doc\" can be written; there are: copc.laz, laz, e57, las, ply, "
-        "pcd, png, ept.json, pts, "
+        "pcd, png, tif, tiff, ept.json, pts, "
         "xyz, txt, asc, csv");
   CHECK(refusal_to_write("a.svg", true) ==
         "no format of extension \"svg\" can be written; there are: ply, obj, stl, city.json, "
