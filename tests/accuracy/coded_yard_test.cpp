@@ -48,41 +48,60 @@ void check_no_worse(const ClassFigures& source, const ClassFigures& improved) {
   }
 }
 
-// What holds on every seed that was tried. The source asks for 0.89 and 0.82 on facades, improved 0.92 and 0.85. Its
-// target method reaches 0.78 to 0.82 here: half of all doors lie 1 or 2 cm behind the even plane of their wall and a
-// third of the gutters has no target, which are of fewer points in the source's cloud.
-constexpr double kLeastSurvey = 0.92, kLeastImprovedSurvey = 0.95;
+// A zone at a density, and the least mean F1 of the classes by survey and by targets, in the source's form and
+// improved.
+struct YardCase {
+  YardZone zone;
+  YardDensity density;
+  const char* name;
+  double survey, targets, improved_survey, improved_targets;
+  double least(bool by_survey_codes, CodeForm form) const {
+    if (form == CodeForm::kSource) return by_survey_codes ? survey : targets;
+    return by_survey_codes ? improved_survey : improved_targets;
+  }
+};
+
+// As dense as the source: what it asks for. At an even density, whatever holds on every seed that was tried: there the
+// target method reaches 0.78 to 0.82 of facades, as half of all doors lie 1 or 2 cm behind the even plane of their wall
+// and a third of the gutters has no target, which hold fewer points in the source's cloud.
+constexpr YardCase kCases[] = {
+    {YardZone::kComplete, YardDensity::kEven, "complete building", 0.93, 0.90, 0.95, 0.95},
+    {YardZone::kComplete, YardDensity::kSource, "complete building as dense as the source", 0.93,
+     0.90, 0.95, 0.92},
+    {YardZone::kFacades, YardDensity::kEven, "facades", 0.92, 0.75, 0.95, 0.90},
+    {YardZone::kFacades, YardDensity::kSource, "facades as dense as the source", 0.89, 0.82, 0.92,
+     0.85}};
 constexpr double kFullSpacing_m = 0.02, kShortSpacing_m = 0.04;
+// Walls and gutters alike have the 10 000 points/m2 that growing asks for: denser gutters draw the planes of walls.
+constexpr double kSourceSpacing_m = 0.01;
 
 }  // namespace
 
 TEST_CASE("coded_yard__both_methods_give_points_their_classes") {
   SeedRange seeds{1, is_full() ? 10u : 1u};
   if (const auto asked = seeds_asked_for("JALON_YARD_SEEDS")) seeds = *asked;
-  const struct {
-    YardZone zone;
-    const char* name;
-    double least_targets, least_improved;
-  } zones[] = {{YardZone::kComplete, "complete building", 0.90, 0.95},
-               {YardZone::kFacades, "facades", 0.70, 0.90}};
-  for (const auto& [zone, name, least_targets, least_improved] : zones)
+  for (const YardCase& yard_case : kCases)
     for (uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
       CAPTURE(seed);
-      const CodedYard yard(zone_of(zone), seed, is_full() ? kFullSpacing_m : kShortSpacing_m);
+      const double spacing_m = !is_full()                                  ? kShortSpacing_m
+                               : yard_case.density == YardDensity::kSource ? kSourceSpacing_m
+                                                                           : kFullSpacing_m;
+      const CodedYard yard(zone_of(yard_case.zone), seed, spacing_m, yard_case.density);
+      const std::string name = yard_case.name;
       ClassFigures source_survey, source_targets;
       for (const CodeForm form : {CodeForm::kSource, CodeForm::kImproved}) {
         const char* form_name = form == CodeForm::kSource ? "source" : "improved";
         const ClassFigures survey = by_survey(yard, form), targets = by_targets(yard, form);
-        MESSAGE("FIGURE codes, " << std::string(name) << ", seed " << seed << ", survey, "
+        MESSAGE("FIGURE codes, " << name << ", seed " << seed << ", survey, "
                                  << std::string(form_name) << ", " << yard.truth.size()
                                  << " points: " << survey.text());
-        MESSAGE("FIGURE codes, " << std::string(name) << ", seed " << seed << ", targets, "
+        MESSAGE("FIGURE codes, " << name << ", seed " << seed << ", targets, "
                                  << std::string(form_name) << ": " << targets.text());
         // Planes of targets reach into the doors beside windows; by their fronts they do not.
         CHECK(survey.counts[2][3] + survey.counts[3][2] == 0);
         if (form == CodeForm::kImproved) CHECK(targets.counts[2][3] + targets.counts[3][2] == 0);
-        CHECK(survey.mean_f1() > (form == CodeForm::kSource ? kLeastSurvey : kLeastImprovedSurvey));
-        CHECK(targets.mean_f1() > (form == CodeForm::kSource ? least_targets : least_improved));
+        CHECK(survey.mean_f1() > yard_case.least(true, form));
+        CHECK(targets.mean_f1() > yard_case.least(false, form));
         if (form == CodeForm::kSource) {
           source_survey = survey, source_targets = targets;
           continue;
