@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "spatial/voxels/components.h"
+#include "base/parallel.h"
+#include "compare/changes/epoch_window.h"
 
 namespace jalon {
 
@@ -37,57 +38,6 @@ bool reaches_edge(const Epoch& epoch, const Indices& points, const Box3& window,
                      [&](uint32_t i) { return !inner.contains(epoch.local(i)); });
 }
 
-// Points of the epoch in a window, ascending.
-Indices points_in(const Epoch& epoch, const Box3& window, Task& task) {
-  const Vec3 centre = (window.min + window.max) * 0.5;
-  std::vector<Neighbour> found;
-  epoch.cloud().octree(task)->radius(centre + epoch.origin, norm(window.max - window.min) / 2,
-                                     found);
-  Indices out;
-  for (const Neighbour& n : found)
-    if (window.contains(epoch.local(n.index))) out.push_back(n.index);
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
-void add_unchanged(const Epoch& epoch, const Indices& points, std::vector<Vec3>& out) {
-  for (const uint32_t i : points)
-    if (epoch.is_compared(i) && epoch.regions.changed[i] == 0) out.push_back(epoch.local(i));
-}
-
-// The pieces of the window, without the supports, that hold any of the seeds.
-Indices grow(const Epoch& epoch, const Indices& window, const Indices& seeds,
-             const std::vector<Support>& supports, double cell_m, Task& task) {
-  Indices kept;
-  std::vector<double> xyz;
-  for (const uint32_t i : window) {
-    const Vec3 p = epoch.local(i);
-    const bool is_support =
-        std::any_of(supports.begin(), supports.end(), [&](const Support& s) { return s.holds(p); });
-    if (is_support) continue;
-    kept.push_back(i);
-    xyz.insert(xyz.end(), {p.x, p.y, p.z});
-  }
-  if (kept.empty()) return {};
-  const Components pieces = connected_components(xyz, {}, cell_m, Connectivity3::k26, 1, task);
-  std::vector<uint8_t> is_seeded(pieces.count() + 1, 0);
-  for (size_t k = 0; k < kept.size(); ++k)
-    if (std::binary_search(seeds.begin(), seeds.end(), kept[k])) is_seeded[pieces.labels[k]] = 1;
-  Indices out;
-  for (size_t k = 0; k < kept.size(); ++k)
-    if (is_seeded[pieces.labels[k]] != 0) out.push_back(kept[k]);
-  return out;
-}
-
-// Where the unchanged points of an object lie in the other epoch.
-void add_counterparts(const Epoch& epoch, const Indices& object, Indices& seeds) {
-  for (const uint32_t i : object)
-    if (epoch.is_compared(i) && epoch.regions.changed[i] == 0 && epoch.nearest(i) != kNoPoint)
-      seeds.push_back(epoch.nearest(i));
-  std::sort(seeds.begin(), seeds.end());
-  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
-}
-
 class Grower {
  public:
   Grower(const Epoch& before, const Epoch& after, double tolerance_m, int widenings, Task& task)
@@ -96,7 +46,9 @@ class Grower {
         tolerance_m_(tolerance_m),
         widenings_(widenings),
         cell_m_(cell_of(before, after)),
-        task_(task) {}
+        task_(task),
+        in_before_(before),
+        in_after_(after) {}
 
   // The object that holds these changed points.
   ChangedObject object_of(Indices seeds_before, Indices seeds_after) {
@@ -123,28 +75,42 @@ class Grower {
  private:
   void fill(const Box3& window, const Box3& change, const Indices& seeds_before,
             const Indices& seeds_after, ChangedObject& out) {
-    const Indices in_before = points_in(before_, window, task_),
-                  in_after = points_in(after_, window, task_);
-    std::vector<Vec3> unchanged;
-    add_unchanged(before_, in_before, unchanged);
-    add_unchanged(after_, in_after, unchanged);
-    out.supports = find_supports(unchanged, change, tolerance_m_, 0);
-    grow_both(in_before, in_after, seeds_before, seeds_after, out);
-    while (drop_own_faces(out)) grow_both(in_before, in_after, seeds_before, seeds_after, out);
+    both([&](EpochWindow& epoch) { epoch.look(window, task_); });
+    out.supports = find_supports(unchanged_sample(), change, tolerance_m_, 0);
+    grow_both(seeds_before, seeds_after, out);
+    while (drop_own_faces(out)) grow_both(seeds_before, seeds_after, out);
   }
 
-  void grow_both(const Indices& in_before, const Indices& in_after, Indices from_before,
-                 Indices from_after, ChangedObject& out) {
-    out.before.clear();
-    out.after.clear();
+  void grow_both(const Indices& seeds_before, const Indices& seeds_after, ChangedObject& out) {
+    both([&](EpochWindow& epoch) { epoch.part(out.supports, cell_m_, task_); });
+    for (const uint32_t i : seeds_before) in_before_.take(i);
+    for (const uint32_t i : seeds_after) in_after_.take(i);
     for (int turn = 0; turn < kTurns; ++turn) {
-      const size_t had = out.before.size() + out.after.size();
-      out.after = grow(after_, in_after, from_after, out.supports, cell_m_, task_);
-      add_counterparts(after_, out.after, from_before);
-      out.before = grow(before_, in_before, from_before, out.supports, cell_m_, task_);
-      add_counterparts(before_, out.before, from_after);
-      if (out.before.size() + out.after.size() == had) break;
+      const bool has_after = in_after_.take_counterparts(in_before_),
+                 has_before = in_before_.take_counterparts(in_after_);
+      if (!has_after && !has_before) break;
     }
+    out.before = in_before_.whole();
+    out.after = in_after_.whole();
+  }
+
+  // Of both epochs, for supports: a window may hold all points.
+  std::vector<Vec3> unchanged_sample() const {
+    size_t count = 0, at = 0;
+    for (const EpochWindow* epoch : {&in_before_, &in_after_})
+      epoch->for_each_unchanged([&](const Vec3&) { ++count; });
+    const size_t step = support_step(count);
+    std::vector<Vec3> out;
+    for (const EpochWindow* epoch : {&in_before_, &in_after_})
+      epoch->for_each_unchanged([&](const Vec3& p) {
+        if (at++ % step == 0) out.push_back(p);
+      });
+    return out;
+  }
+
+  template <class F>
+  void both(F&& f) {
+    parallel_chunks(task_, 2, [&](size_t k) { f(k == 0 ? in_before_ : in_after_); });
   }
 
   // A plane that does not go on beyond the whole object, as it did beyond its change, is one of its own faces.
@@ -161,6 +127,7 @@ class Grower {
   int widenings_;
   double cell_m_;
   Task& task_;
+  EpochWindow in_before_, in_after_;
 };
 
 // Labels of the regions that an object holds and no object before it did; they are then done with.

@@ -20,13 +20,6 @@ constexpr double kSigmas = 4;    // half-thickness in standard deviations of the
 constexpr double kBeyond = 0.5;  // share of its points outside the change's box
 constexpr double kReach = 1.25;  // its extents over those of the change along its own axes
 
-std::vector<Vec3> thinned(std::span<const Vec3> points) {
-  const size_t step = points.size() / kSample + 1;
-  std::vector<Vec3> out;
-  for (size_t i = 0; i < points.size(); i += step) out.push_back(points[i]);
-  return out;
-}
-
 bool best_draw(const std::vector<Vec3>& points, double tolerance_m, RandomStream& random,
                Plane& best) {
   size_t most = 0;
@@ -84,10 +77,12 @@ bool Support::goes_beyond(const Box3& thing) const {
   return width_u_m >= kReach * extent(thing, axis_u) && width_v_m >= kReach * extent(thing, axis_v);
 }
 
+size_t support_step(size_t unchanged) { return unchanged / kSample + 1; }
+
 std::vector<Support> find_supports(std::span<const Vec3> unchanged, const Box3& change,
                                    double tolerance_m, uint64_t seed) {
   std::vector<Support> out;
-  std::vector<Vec3> rest = thinned(unchanged);
+  std::vector<Vec3> rest(unchanged.begin(), unchanged.end());
   const auto least =
       std::max(kLeastPoints, static_cast<size_t>(kLeastShare * static_cast<double>(rest.size())));
   RandomStream random(seed, 0);

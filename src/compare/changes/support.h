@@ -22,7 +22,8 @@ struct Support {
 
 /// Planes among the unchanged points around a change that go on beyond it, the largest first: seeded draws of three
 /// points (Fischler & Bolles 1981), then least squares. What ends with the change (the unchanged top of a box that was
-/// pushed) is no support.
+/// pushed) is no support. Of very many points every support_step-th is enough.
+size_t support_step(size_t unchanged);
 std::vector<Support> find_supports(std::span<const Vec3> unchanged, const Box3& change,
                                    double tolerance_m, uint64_t seed);
 
