@@ -39,6 +39,13 @@ constexpr double kReliefShare = 0.25;
 
 /// Of the border of an opening that is framed: what a bay between two piers has at least.
 constexpr double kFramedShare = 0.5;
+/// Of its steep sides: a wall that goes on along one of them only ends there, and the next one begins.
+constexpr double kBothJambs = 0.6;
+
+/// Whether the wall goes on beside a place on both sides.
+inline bool is_framed(const OpeningCandidate& opening) {
+  return opening.framed >= kFramedShare && opening.jambs >= kBothJambs;
+}
 
 struct OpeningSearch {
   double least_width_m = 0.12;  ///< of what is drawn as an opening

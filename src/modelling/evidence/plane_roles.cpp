@@ -53,7 +53,7 @@ double share_of(size_t part, size_t all) {
 
 // A surround encloses an opening as the broad wall does, beside a narrow pier too.
 bool is_enclosed(const OpeningCandidate& opening) {
-  return opening.framed >= kFramedShare ||
+  return is_framed(opening) ||
          (opening.bordered >= kEnclosedShare && opening.relief >= kReliefShare);
 }
 
@@ -343,7 +343,7 @@ bool is_filling_at(const WallEvidence& wall, const Vec3& p) {
     return false;
   // A cell with a point of the wall ends an opening: frames stand in its rim.
   return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
-    return opening.is_opening && opening.framed >= kFramedShare &&
+    return opening.is_opening && is_framed(opening) &&
            opening.shape.grown(wall.cells.cell_m).holds(foot.at);
   });
 }
