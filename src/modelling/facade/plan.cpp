@@ -85,6 +85,7 @@ std::vector<WallHole> interruptions_of(const std::vector<VectorPlane>& planes, s
     std::erase_if(out, [&](const WallHole& hole) {
       return hole.is_notch && !hole.is_bay && holds_several(hole, closed);
     });
+    drop_second_notches(closed, out);
     add_bays(planes[wall], closed, out);
   }
   return out;

@@ -58,6 +58,28 @@ uint32_t nearest_piece(const VectorPlane& wall, const Vec2& p) {
 
 }  // namespace
 
+void drop_second_notches(std::span<const OpeningCandidate> candidates,
+                         std::vector<WallHole>& holes) {
+  std::vector<int32_t> candidate(holes.size());
+  std::vector<double> most(candidates.size(), 0);
+  std::vector<size_t> first(candidates.size(), holes.size());
+  const auto same_as = [&](size_t h) {
+    return overlap(ring_box(holes[h].outline),
+                   candidates[static_cast<size_t>(candidate[h])].shape.box());
+  };
+  for (size_t h = 0; h < holes.size(); ++h) {
+    candidate[h] = candidate_of(holes[h], candidates);
+    if (candidate[h] < 0) continue;
+    const auto k = static_cast<size_t>(candidate[h]);
+    if (const double same = same_as(h); same > most[k]) most[k] = same, first[k] = h;
+  }
+  std::vector<WallHole> kept;
+  for (size_t h = 0; h < holes.size(); ++h)
+    if (!holes[h].is_notch || candidate[h] < 0 || first[static_cast<size_t>(candidate[h])] == h)
+      kept.push_back(std::move(holes[h]));
+  holes = std::move(kept);
+}
+
 int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> candidates) {
   const RingBox box = ring_box(hole.outline);
   int32_t best = -1;
@@ -100,6 +122,7 @@ std::vector<WallHole> evident_holes(const VectorPlane& wall,
   std::erase_if(out, [&](const WallHole& hole) {
     return hole.is_notch && (candidate_of(hole, candidates) < 0 || holds_several(hole, candidates));
   });
+  drop_second_notches(candidates, out);
   add_bays(wall, candidates, out);
   return out;
 }

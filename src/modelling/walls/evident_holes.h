@@ -20,6 +20,11 @@ int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> can
 std::vector<WallHole> evident_holes(const VectorPlane& wall,
                                     std::span<const OpeningCandidate> candidates);
 
+/// Of notches that stand for one opening (the outline goes down beside it in steps, and each step's notch holds it) the
+/// one that has most in common with it stays.
+void drop_second_notches(std::span<const OpeningCandidate> candidates,
+                         std::vector<WallHole>& holes);
+
 /// Whether a hole holds several openings side by side, none of them most of it, and a pier comes down between them:
 /// where the foot of the pier was hidden the outline has one notch for them all, which stands for none.
 bool holds_several(const WallHole& hole, std::span<const OpeningCandidate> candidates);

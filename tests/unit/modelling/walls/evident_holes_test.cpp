@@ -58,6 +58,35 @@ TEST_CASE("evident_holes__keep_holes_and_the_notches_that_openings_cut") {
   CHECK_FALSE(none[0].is_notch);
 }
 
+TEST_CASE("evident_holes__an_outline_that_goes_down_in_steps_has_one_notch_for_an_opening") {
+  // A shop front at (2, 1); beside its foot the wall was not seen, and the outline comes down in two steps.
+  VectorFace face;
+  face.outline = rings::ring_of({{0, 0},
+                                 {1.8, 0},
+                                 {1.8, 0.5},
+                                 {2, 0.5},
+                                 {2, 3},
+                                 {6, 3},
+                                 {6, 0.5},
+                                 {6.2, 0.5},
+                                 {6.2, 0},
+                                 {10, 0},
+                                 {10, 5},
+                                 {0, 5}});
+  const auto with_foot = [&](double foot) {
+    VectorPlane wall = rings::wall_of({face}, kDrawnSpacing_m);
+    wall.faces[0].outline.corners[2].v = wall.faces[0].outline.corners[3].v = foot;
+    wall.faces[0].outline.corners[6].v = wall.faces[0].outline.corners[7].v = foot;
+    const std::vector<OpeningCandidate> one{candidate_at({2.02, 1}, {5.98, 2.98})};
+    return evident_holes(wall, one);
+  };
+  for (const double foot : {0.3, 0.5, 0.9}) {
+    const auto holes = with_foot(foot);
+    REQUIRE(holes.size() == 1);
+    CHECK(ring_box(holes[0].outline).low.v == doctest::Approx(foot));
+  }
+}
+
 TEST_CASE("evident_holes__an_opening_whose_form_shows_in_no_face_is_a_bay_beside_the_nearest") {
   VectorPlane wall = rings::wall_of(
       {{rings::rectangle({0, 0}, {4, 3}), {}}, {rings::rectangle({6.5, 0}, {9, 3}), {}}},
