@@ -61,14 +61,19 @@ enum {
  * 3. A condition for each strip with "least_points". With "kernel" = tukey points off the median of their strip count
  *    less, and strips that contradict the others by more than three of their sigmas; none is the centroid as printed.
  *    "sigma_point_m" is the noise of one point.
- * 4. The adjustment. From the sixth pass on a point whose match still changes is left out, so that passes do not go
+ * 4. The adjustment. "set_back" = behind keeps walls at their facades as given or behind them, as where eaves were
+ *    digitised (least squares with bounds by an active set; Lawson & Hanson 1974; standard deviations are those
+ *    without the bound, which are greater). "strip_correlation_m": offsets of a facade's strips hang together, by
+ *    exp(-distance / length). "control_points": points seen at known times whose place is known hold the drive in
+ *    plan, two conditions each. From the sixth pass on a point whose match still changes is left out, so that passes do not go
  *    to and fro between two answers.
  *
  * Same bits whatever the threads. Not converged is a result that says so. O(points log strips) a pass, and linear in
  * strips and control times.
  *
  * JALON_ERROR_INVALID_ARGUMENT: no field "time" or one of another type, a time that is not finite, no point within
- * the trajectory's time, no position sigmas, sigma_strip_m = 0, a model without strips, CRS that differ.
+ * the trajectory's time, no position sigmas, sigma_strip_m = 0, a model without strips, CRS that differ, a control
+ * point that is not whole or was seen outside of the trajectory's time.
  * JALON_ERROR_INSUFFICIENT_DATA: no strip has enough points. With a sigma of blocks or facades of 0 the dense form is
  * taken, O(strips^3).
  */
@@ -86,7 +91,8 @@ JALON_API void jalon_adjustment_release(jalon_adjustment* adjustment);
  *     points          uint64       -     whose rays were cast
  *     outside         uint64       -     points of the cloud outside of the trajectory's time
  *     matched         uint64       -     of the points, accepted
- *     strips          uint64       -     that were adjusted: degrees of freedom
+ *     strips          uint64       -     that were adjusted: the degrees of freedom of chi_square, with two a control
+ *                                        point and one a facade that "set_back" holds
  *     rms             float64      m     of the accepted points off their strips, as weighted
  *     chi_square      float64      1     weighted square sum of all corrections
  *     p_value         float64      1     chance of as much or more where the sigmas are right: the test of the model.

@@ -10,6 +10,8 @@
 #include "base/numbers.h"
 #include "registration/joint/beam_fields.h"
 #include "registration/joint/block_search.h"
+#include "registration/joint/control_points.h"
+#include "registration/joint/set_back.h"
 #include "registration/joint/strip_conditions.h"
 #include "registration/joint/strip_search.h"
 #include "registration/joint/strip_weights.h"
@@ -25,6 +27,7 @@ JointProblem problem_of(const StripScene& scene, const Trajectory& controls,
   made.blocks = scene.blocks, made.facades = scene.facades;
   made.sigma_block_x_m = settings.sigma_block_x_m, made.sigma_block_y_m = settings.sigma_block_y_m;
   made.sigma_facade_m = settings.sigma_facade_m, made.sigma_strip_m = settings.sigma_strip_m;
+  made.strip_correlation_m = settings.strip_correlation_m;
   return made;
 }
 
@@ -54,6 +57,7 @@ class JointLoop {
                             interpolated(trajectory, control_times(trajectory, settings.control_s)),
                             settings)) {
     made_.trajectory.times_s = control_times(trajectory, settings.control_s);
+    problem_.control_points = control_points(settings.control_points, made_.trajectory.times_s);
     made_.points = joint_points(cloud, trajectory, made_.trajectory.times_s, settings, task);
     for (const Vec3& p : made_.points.at) xyz_.insert(xyz_.end(), {p.x, p.y, p.z});
     const size_t controls = made_.trajectory.times_s.size();
@@ -153,8 +157,12 @@ class JointLoop {
       if (matches[i].strip != kNoStrip && is_doubtful_[matches[i].strip]) made_.weights[i] = 0;
   }
 
-  JointSolution solve(JointWanted wanted) const {
-    return has_zero(settings_) ? solve_dense(problem_) : solve_reduced(problem_, wanted);
+  JointSolution solve(JointWanted wanted) {
+    const auto by = [&](const JointProblem& problem) {
+      return has_zero(settings_) ? solve_dense(problem) : solve_reduced(problem, wanted);
+    };
+    return settings_.set_back == JointSettings::SetBack::kBehind ? solve_set_back(problem_, by)
+                                                                 : by(problem_);
   }
 
   void count(const std::vector<PointMatch>& matches, JointPass& pass) const {
@@ -219,7 +227,11 @@ class JointLoop {
     }
     made_.strips = problem_.strips.size();
     made_.chi_square = solution.chi_square;
-    made_.p_value = chi_square_tail(static_cast<double>(made_.strips), solution.chi_square);
+    // What is held at 0 is a condition as well.
+    const auto held = std::count(problem_.is_held.begin(), problem_.is_held.end(), true);
+    made_.p_value =
+        chi_square_tail(static_cast<double>(problem_.conditions()) + static_cast<double>(held),
+                        solution.chi_square);
     if (settings_.covariance) made_.covariance = solution.covariance;
     find_wrong_shares();
     find_weak_direction();

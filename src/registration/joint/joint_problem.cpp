@@ -17,6 +17,18 @@ void validate(const JointProblem& problem) {
   if (problem.x.size() != problem.y.size() || problem.x.size() < 2)
     fail(Status::kInvalidArgument, "the trajectory has %zu and %zu control positions",
          problem.x.size(), problem.y.size());
+  if (!(problem.strip_correlation_m >= 0))
+    fail(Status::kInvalidArgument, "the length over which strips hang together is negative");
+  if (!problem.is_held.empty() && problem.is_held.size() != problem.facades)
+    fail(Status::kInvalidArgument, "%zu facades are said to be held or not, of %u",
+         problem.is_held.size(), problem.facades);
+  for (size_t i = 0; i < problem.control_points.size(); ++i) {
+    const ControlCondition& point = problem.control_points[i];
+    if (!(point.sigma_m > 0) || point.shares.empty() ||
+        point.shares.back().first >= problem.controls())
+      fail(Status::kInvalidArgument,
+           "control point %zu has no sigma, or is of a time that is not there", i);
+  }
   if (problem.strips.empty())
     fail(Status::kInsufficientData, "no strip is matched: there is nothing to adjust");
   for (size_t s = 0; s < problem.strips.size(); ++s) {

@@ -23,6 +23,9 @@
 //
 // h_s: mean signed distance of the given plane from the given points, (Q - P) . n; w_sc: the mean share
 // of control position c in the points of the strip (linear interpolation in time; they sum to 1).
+//
+// Beyond the text: strips of a facade may hang together, exp(-distance / length) of their places along it, and a control
+// point, seen at a time whose shares are w_c and known to the map, asks for its own correction: sum_c w_c T_c = v.
 namespace jalon {
 
 struct StripCondition {
@@ -31,16 +34,34 @@ struct StripCondition {
   std::vector<std::pair<uint32_t, double>> shares;  ///< control position and its w, ascending
   double distance_m = 0;                            ///< h
   double measured_variance_m2 =
-      0;  ///< of h beside the prior: noise of ranges over the number of points
+      0;               ///< of h beside the prior: noise of ranges over the number of points
+  double place_m = 0;  ///< along the facade; where strips hang together
+};
+
+/// A point whose place is known: what the drive has to be corrected by when it was seen.
+struct ControlCondition {
+  std::vector<std::pair<uint32_t, double>> shares;  ///< control position and its w, ascending
+  Vec2 correction_m;
+  double sigma_m = 0;  ///< of each coordinate
 };
 
 struct JointProblem {
   GaussMarkov x, y;  ///< of the control positions
   uint32_t blocks = 0, facades = 0;
   double sigma_block_x_m = 1, sigma_block_y_m = 1, sigma_facade_m = 0.5, sigma_strip_m = 0.3;
+  /// How far along its facade a strip's offset tells of others': their correlation is 1 / e there; 0: not at all.
+  double strip_correlation_m = 0;
   std::vector<StripCondition> strips;
+  std::vector<ControlCondition> control_points;
+  std::vector<bool> is_held;  ///< of each facade: it stays where it is given; empty: none does
 
   size_t controls() const { return x.size(); }
+  double facade_variance_m2(uint32_t facade) const {
+    const bool held = !is_held.empty() && is_held[facade];
+    return held ? 0 : sigma_facade_m * sigma_facade_m;
+  }
+  /// Two coordinates of a control point are two conditions.
+  size_t conditions() const { return strips.size() + 2 * control_points.size(); }
 };
 
 /// Adjusted values, each expected 0 before, and their standard deviations.
@@ -49,7 +70,9 @@ struct JointSolution {
   std::vector<double> facades, strips;
   std::vector<Vec2> trajectory_sigmas, blocks_sigmas;
   std::vector<double> facades_sigmas, strips_sigmas;
-  /// Weighted square sum of the corrections: chi-square with as many degrees of freedom as strips,
+  /// Of each facade (1/m): how strongly its strips pull it forward from where it is.
+  std::vector<double> facade_pulls;
+  /// Weighted square sum of the corrections: chi-square with as many degrees of freedom as conditions,
   /// where the priors are right.
   double chi_square = 0;
   /// Of (T_x, T_y, d_x, d_y), in this order.

@@ -19,6 +19,18 @@ constexpr auto kJointRows = setting_rows(
                                    "were digitised, the wall stands back."),
     number_row<&S::sigma_strip_m>("sigma_strip_m", 0, 1000, "m", "",
                                   "Standard deviation of a strip along the normal: relief."),
+    choice_row<&S::set_back>(
+        "set_back", "either|behind", "",
+        "Where walls stand beside their facades as given: before or behind, or never before "
+        "(behind), as where facades were digitised at the eaves."),
+    number_row<&S::strip_correlation_m>(
+        "strip_correlation_m", 0, 1000, "m", "",
+        "Strips of a facade hang together: the correlation of their offsets is 1/e at this "
+        "distance along it, less beyond; 0: not at all."),
+    doubles_row<&S::control_points>(
+        "control_points", -1e9, 1e9, "", "",
+        "Points whose place is known, six numbers each: when it was seen (s), x and y that the "
+        "cloud has (m), x and y that are right (m), standard deviation of a coordinate (m)."),
     number_row<&S::control_s>("control_s", 0.01, 3600, "s", "",
                               "From one control time of the trajectory to the next; between them "
                               "corrections are linear."),

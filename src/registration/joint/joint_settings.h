@@ -13,6 +13,9 @@ namespace jalon {
 /// The settings of operation "adjust".
 struct JointSettings {
   double sigma_block_x_m = 1, sigma_block_y_m = 1, sigma_facade_m = 0.5, sigma_strip_m = 0.3;
+  enum class SetBack { kEither, kBehind } set_back = SetBack::kEither;
+  double strip_correlation_m = 0;
+  std::vector<double> control_points{};
   double control_s = 1;
   enum class Matches { kRays, kIds } matches = Matches::kRays;
   enum class Bound { kLogarithm, kNormal } bound = Bound::kLogarithm;

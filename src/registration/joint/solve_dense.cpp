@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "registration/joint/facade_strips.h"
 #include "registration/joint/joint_problem.h"
 
 namespace jalon {
@@ -33,14 +34,22 @@ MatrixXd prior_covariance(const JointProblem& problem, const DenseOrder& at) {
     set(static_cast<Index>(at.dx(b)), problem.sigma_block_x_m);
     set(static_cast<Index>(at.dy(b)), problem.sigma_block_y_m);
   }
-  for (size_t f = 0; f < at.facades; ++f) set(at.facade(f), problem.sigma_facade_m);
+  for (uint32_t f = 0; f < at.facades; ++f)
+    set(at.facade(f), std::sqrt(problem.facade_variance_m2(f)));
   for (size_t s = 0; s < at.strips; ++s) set(at.strip(s), problem.sigma_strip_m);
+  if (!(problem.strip_correlation_m > 0)) return C;
+  const double strip_m2 = problem.sigma_strip_m * problem.sigma_strip_m;
+  for (size_t s = 0; s < at.strips; ++s)
+    for (size_t t = 0; t < at.strips; ++t)
+      if (problem.strips[s].facade == problem.strips[t].facade)
+        C(at.strip(s), at.strip(t)) =
+            strip_m2 * strip_correlation(problem, problem.strips[s], problem.strips[t]);
   return C;
 }
 
-// A column a strip.
+// A column a strip, and two a control point behind them: v - sum w T = 0.
 MatrixXd conditions(const JointProblem& problem, const DenseOrder& at) {
-  MatrixXd B = MatrixXd::Zero(at.all(), static_cast<Index>(at.strips));
+  MatrixXd B = MatrixXd::Zero(at.all(), static_cast<Index>(problem.conditions()));
   for (size_t s = 0; s < at.strips; ++s) {
     const StripCondition& strip = problem.strips[s];
     const auto column = static_cast<Index>(s);
@@ -53,7 +62,30 @@ MatrixXd conditions(const JointProblem& problem, const DenseOrder& at) {
     B(at.facade(strip.facade), column) = 1;
     B(at.strip(s), column) = 1;
   }
+  auto column = static_cast<Index>(at.strips);
+  for (const ControlCondition& point : problem.control_points) {
+    for (const auto& [control, share] : point.shares) {
+      B(static_cast<Index>(at.tx(control)), column) = -share;
+      B(static_cast<Index>(at.ty(control)), column + 1) = -share;
+    }
+    column += 2;
+  }
   return B;
+}
+
+VectorXd misclosures(const JointProblem& problem) {
+  VectorXd c(static_cast<Index>(problem.conditions()));
+  Index at = 0;
+  for (const StripCondition& strip : problem.strips) c[at++] = -strip.distance_m;
+  for (const ControlCondition& point : problem.control_points)
+    c[at++] = -point.correction_m.u, c[at++] = -point.correction_m.v;
+  return c;
+}
+double measured_variance_m2(const JointProblem& problem, Index condition) {
+  const auto i = static_cast<size_t>(condition), strips = problem.strips.size();
+  if (i < strips) return problem.strips[i].measured_variance_m2;
+  const double sigma = problem.control_points[(i - strips) / 2].sigma_m;
+  return sigma * sigma;
 }
 
 }  // namespace
@@ -65,11 +97,8 @@ JointSolution solve_dense(const JointProblem& problem) {
   // Products and solves in their plain order: Eigen's blocked ones follow the machine's caches, and so would the bits.
   const MatrixXd CB = C.lazyProduct(B);
   MatrixXd BCB = B.transpose().lazyProduct(CB);
-  VectorXd c(B.cols());
-  for (Index s = 0; s < c.size(); ++s) {
-    c[s] = -problem.strips[static_cast<size_t>(s)].distance_m;
-    BCB(s, s) += problem.strips[static_cast<size_t>(s)].measured_variance_m2;
-  }
+  const VectorXd c = misclosures(problem);
+  for (Index i = 0; i < c.size(); ++i) BCB(i, i) += measured_variance_m2(problem, i);
   const Eigen::LDLT<MatrixXd> factor(BCB);
   if (factor.info() != Eigen::Success || !(factor.vectorD().minCoeff() > 0))
     fail(Status::kDegenerate, "the conditions of the strips contradict each other");
@@ -96,6 +125,9 @@ JointSolution solve_dense(const JointProblem& problem) {
     made.blocks.push_back(pair(l, at.dx(b), at.dy(b)));
     made.blocks_sigmas.push_back(pair(sigmas, at.dx(b), at.dy(b)));
   }
+  made.facade_pulls.assign(at.facades, 0);
+  for (size_t s = 0; s < at.strips; ++s)
+    made.facade_pulls[problem.strips[s].facade] += k[static_cast<Index>(s)];
   for (size_t f = 0; f < at.facades; ++f) {
     made.facades.push_back(l[at.facade(f)]);
     made.facades_sigmas.push_back(sigmas[at.facade(f)]);

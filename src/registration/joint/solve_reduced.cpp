@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "registration/joint/facade_strips.h"
 #include "registration/joint/joint_problem.h"
 #include "registration/joint/sparse_inverse.h"
 
@@ -31,37 +32,6 @@ std::vector<RowElement> row_of(const StripCondition& strip, const JointOrder& at
   row.push_back({static_cast<Index>(at.dx(strip.block)), strip.normal.u});
   row.push_back({static_cast<Index>(at.dy(strip.block)), strip.normal.v});
   return row;
-}
-
-// The strips of a facade: V = D + sigma_f^2 1 1^T, D the variances of the strips and of what was
-// measured. V^-1 y = y / D - (1 / D) weight sum(y / D) (Sherman & Morrison 1950).
-struct FacadeStrips {
-  std::vector<uint32_t> strips;
-  std::vector<double> inverse_d;
-  double weight = 0;  ///< sigma_f^2 / (1 + sigma_f^2 sum(1 / D))
-  double sum = 0;     ///< sum(1 / D)
-
-  std::vector<double> weighted(const std::vector<double>& y) const {
-    double total = 0;
-    for (size_t i = 0; i < y.size(); ++i) total += inverse_d[i] * y[i];
-    std::vector<double> out(y.size());
-    for (size_t i = 0; i < y.size(); ++i) out[i] = inverse_d[i] * (y[i] - weight * total);
-    return out;
-  }
-};
-
-std::vector<FacadeStrips> strips_by_facade(const JointProblem& problem) {
-  std::vector<FacadeStrips> made(problem.facades);
-  for (uint32_t s = 0; s < problem.strips.size(); ++s) {
-    FacadeStrips& f = made[problem.strips[s].facade];
-    f.strips.push_back(s);
-    f.inverse_d.push_back(1 / (problem.sigma_strip_m * problem.sigma_strip_m +
-                               problem.strips[s].measured_variance_m2));
-    f.sum += f.inverse_d.back();
-  }
-  const double variance = problem.sigma_facade_m * problem.sigma_facade_m;
-  for (FacadeStrips& f : made) f.weight = variance / (1 + variance * f.sum);
-  return made;
 }
 
 void add_prior(const JointProblem& problem, const JointOrder& at, Triplets& into) {
@@ -95,7 +65,9 @@ class ReducedSolver {
   JointSolution solve(JointWanted wanted) {
     JointSolution made;
     made.facades.assign(problem_.facades, 0);
-    made.facades_sigmas.assign(problem_.facades, problem_.sigma_facade_m);
+    made.facade_pulls.assign(problem_.facades, 0);
+    for (uint32_t f = 0; f < problem_.facades; ++f)
+      made.facades_sigmas.push_back(std::sqrt(problem_.facade_variance_m2(f)));
     made.strips.assign(problem_.strips.size(), 0);
     made.strips_sigmas.assign(problem_.strips.size(), problem_.sigma_strip_m);
     const Eigen::VectorXd x = factor_.solve(right_side_);
@@ -116,25 +88,19 @@ class ReducedSolver {
     Triplets elements;
     add_prior(problem_, at_, elements);
     right_side_ = Eigen::VectorXd::Zero(static_cast<Index>(at_.size()));
+    for (const ControlCondition& point : problem_.control_points)
+      add_control_point(point, elements);
     for (const FacadeStrips& f : facades_) {
       std::vector<double> h;
       for (const uint32_t s : f.strips) h.push_back(problem_.strips[s].distance_m);
       const std::vector<double> weighted_h = f.weighted(h);
-      // A^T D^-1 A strip by strip, less the facade's own outer product.
-      std::vector<RowElement> total;  // sum of rows / D
       for (size_t i = 0; i < f.strips.size(); ++i) {
-        const std::vector<RowElement>& row = rows_[f.strips[i]];
         distances_square_ += h[i] * weighted_h[i];
-        for (const RowElement& a : row) {
+        for (const RowElement& a : rows_[f.strips[i]])
           right_side_[a.column] -= a.value * weighted_h[i];
-          for (const RowElement& b : row)
-            elements.push_back({a.column, b.column, f.inverse_d[i] * a.value * b.value});
-        }
-        add_to(total, row, f.inverse_d[i]);
       }
-      for (const RowElement& a : total)
-        for (const RowElement& b : total)
-          elements.push_back({a.column, b.column, -f.weight * a.value * b.value});
+      if (f.is_correlated()) add_correlated(f, elements);
+      else add_independent(f, elements);
     }
     SparseMatrix H(static_cast<Index>(at_.size()), static_cast<Index>(at_.size()));
     H.setFromTriplets(elements.begin(), elements.end());
@@ -142,6 +108,52 @@ class ReducedSolver {
     if (factor_.info() != Eigen::Success || !(factor_.vectorD().minCoeff() > 0))
       fail(Status::kDegenerate,
            "the normal equations of trajectory and blocks are singular: is a sigma 0?");
+  }
+
+  void add_control_point(const ControlCondition& point, Triplets& elements) {
+    const double weight = 1 / (point.sigma_m * point.sigma_m);
+    const auto axis = [&](double correction, size_t first) {
+      distances_square_ += weight * correction * correction;
+      for (const auto& [a, share] : point.shares) {
+        right_side_[static_cast<Index>(first + a)] += weight * share * correction;
+        for (const auto& [b, other] : point.shares)
+          elements.push_back({static_cast<Index>(first + a), static_cast<Index>(first + b),
+                              weight * share * other});
+      }
+    };
+    axis(point.correction_m.u, at_.tx(0));
+    axis(point.correction_m.v, at_.ty(0));
+  }
+
+  // A^T D^-1 A strip by strip, less the facade's own outer product.
+  void add_independent(const FacadeStrips& f, Triplets& elements) const {
+    std::vector<RowElement> total;  // sum of rows / D
+    for (size_t i = 0; i < f.strips.size(); ++i) {
+      const std::vector<RowElement>& row = rows_[f.strips[i]];
+      for (const RowElement& a : row)
+        for (const RowElement& b : row)
+          elements.push_back({a.column, b.column, f.inverse_d[i] * a.value * b.value});
+      add_to(total, row, f.inverse_d[i]);
+    }
+    for (const RowElement& a : total)
+      for (const RowElement& b : total)
+        elements.push_back({a.column, b.column, -f.weight * a.value * b.value});
+  }
+  void add_correlated(const FacadeStrips& f, Triplets& elements) const {
+    for (size_t i = 0; i < f.strips.size(); ++i) {
+      const std::vector<RowElement> weighted =
+          mixed(f, f.inverse.row(static_cast<Index>(i)).transpose());
+      for (const RowElement& a : rows_[f.strips[i]])
+        for (const RowElement& b : weighted)
+          elements.push_back({a.column, b.column, a.value * b.value});
+    }
+  }
+  // Sum of the rows of a facade's strips, each so many times.
+  std::vector<RowElement> mixed(const FacadeStrips& f, const Eigen::VectorXd& times) const {
+    std::vector<RowElement> made;
+    for (size_t i = 0; i < f.strips.size(); ++i)
+      add_to(made, rows_[f.strips[i]], times[static_cast<Index>(i)]);
+    return made;
   }
 
   static void add_to(std::vector<RowElement>& sum, const std::vector<RowElement>& row,
@@ -166,11 +178,9 @@ class ReducedSolver {
   }
 
   // Back from trajectory and blocks to the facade and its strips: given these, the offsets follow from
-  // y = -(h + A x) by o_f = sigma_f^2 1^T V^-1 y, o_s = sigma_s^2 V^-1 y.
+  // y = -(h + A x) by o_f = sigma_f^2 1^T V^-1 y, o_s = S V^-1 y.
   void offsets_of(const FacadeStrips& f, const Eigen::VectorXd& x, JointSolution& made) const {
     if (f.strips.empty()) return;
-    const double facade_m2 = problem_.sigma_facade_m * problem_.sigma_facade_m,
-                 strip_m2 = problem_.sigma_strip_m * problem_.sigma_strip_m;
     std::vector<double> y;
     for (const uint32_t s : f.strips) {
       double sum = problem_.strips[s].distance_m;
@@ -181,22 +191,32 @@ class ReducedSolver {
     double v_sum = 0;
     for (size_t i = 0; i < v.size(); ++i) {
       v_sum += v[i];
-      made.strips[f.strips[i]] = strip_m2 * v[i];
+      made.strips[f.strips[i]] = f.is_correlated() ? dot_of_row(f.prior, i, v) : strip_m2() * v[i];
     }
-    made.facades[problem_.strips[f.strips[0]].facade] = facade_m2 * v_sum;
+    const uint32_t facade = problem_.strips[f.strips[0]].facade;
+    made.facade_pulls[facade] = v_sum;
+    made.facades[facade] = problem_.facade_variance_m2(facade) * v_sum;
+  }
+  double strip_m2() const { return problem_.sigma_strip_m * problem_.sigma_strip_m; }
+  static double dot_of_row(const Eigen::MatrixXd& m, size_t row, const std::vector<double>& v) {
+    double sum = 0;
+    for (size_t j = 0; j < v.size(); ++j)
+      sum += m(static_cast<Index>(row), static_cast<Index>(j)) * v[j];
+    return sum;
   }
 
   // What is left of the prior of a facade and its strips, and what the uncertainty of x brings along.
   void sigmas_of(const FacadeStrips& f, JointSolution& made) const {
     if (f.strips.empty()) return;
-    const double facade_m2 = problem_.sigma_facade_m * problem_.sigma_facade_m,
-                 strip_m2 = problem_.sigma_strip_m * problem_.sigma_strip_m;
+    if (f.is_correlated()) return sigmas_of_correlated(f, made);
+    const uint32_t facade = problem_.strips[f.strips[0]].facade;
+    const double facade_m2 = problem_.facade_variance_m2(facade), strip_m2 = this->strip_m2();
     std::vector<RowElement> total;
     for (size_t i = 0; i < f.strips.size(); ++i) add_to(total, rows_[f.strips[i]], f.inverse_d[i]);
     // 1^T V^-1 = (1 - weight sum) / D.
     const double left = 1 - f.weight * f.sum;
     const double of_prior = facade_m2 - facade_m2 * facade_m2 * left * f.sum;
-    made.facades_sigmas[problem_.strips[f.strips[0]].facade] = std::sqrt(
+    made.facades_sigmas[facade] = std::sqrt(
         std::max(0.0, of_prior + facade_m2 * facade_m2 * left * left * variance_along(total)));
     for (size_t i = 0; i < f.strips.size(); ++i) {
       const uint32_t s = f.strips[i];
@@ -209,6 +229,20 @@ class ReducedSolver {
           std::sqrt(std::max(0.0, strip_m2 - strip_m2 * strip_m2 * diagonal +
                                       strip_m2 * strip_m2 * variance_along(row)));
     }
+  }
+  // S - S V^-1 S + (S V^-1 A) H^-1 (S V^-1 A)^T, and the same with sigma_f^2 1^T for S.
+  void sigmas_of_correlated(const FacadeStrips& f, JointSolution& made) const {
+    const auto n = static_cast<Index>(f.strips.size());
+    const uint32_t facade = problem_.strips[f.strips[0]].facade;
+    const double facade_m2 = problem_.facade_variance_m2(facade);
+    const auto sigma = [&](double prior, const Eigen::VectorXd& with) {
+      const Eigen::VectorXd weights = f.inverse.lazyProduct(with);
+      return std::sqrt(
+          std::max(0.0, prior - with.dot(weights) + variance_along(mixed(f, weights))));
+    };
+    made.facades_sigmas[facade] = sigma(facade_m2, Eigen::VectorXd::Constant(n, facade_m2));
+    for (Index i = 0; i < n; ++i)
+      made.strips_sigmas[f.strips[static_cast<size_t>(i)]] = sigma(f.prior(i, i), f.prior.col(i));
   }
 
   Eigen::VectorXd variances_of(JointWanted wanted, JointSolution& made) const {

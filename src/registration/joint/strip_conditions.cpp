@@ -49,7 +49,8 @@ StripConditions strip_conditions(const MatchedPoints& points, std::span<const Gi
     StripCondition condition{
         strips[s].block,    strips[s].facade,
         strips[s].normal,   {},
-        sum.distance_m / n, sigma_range_m * sigma_range_m * sum.weight2 / (n * n)};
+        sum.distance_m / n, sigma_range_m * sigma_range_m * sum.weight2 / (n * n),
+        strips[s].place_m};
     for (const auto& [control, share] : sum.shares)
       if (share > 0) condition.shares.push_back({control, share / n});
     made.conditions.push_back(std::move(condition));

@@ -14,6 +14,7 @@ struct GivenStrip {
   uint32_t block = 0, facade = 0;
   Vec2 normal;
   double offset_m = 0;
+  double place_m = 0;  ///< of its middle along the facade
 };
 
 /// Points with their times and the strip that each is matched to; a number that is no strip's matches

@@ -29,7 +29,24 @@ GivenStrip given_strip(const Face& face, const PartNumbers& n) {
     fail(Status::kInvalidArgument, "strip %u of the model is of no facade or of no block", n.strip);
   if (!(level > kUpright) || !std::isfinite(face.plane.offset))
     fail(Status::kInvalidArgument, "strip %u of the model does not stand upright", n.strip);
-  return {n.block, n.facade, {normal.x / level, normal.y / level}, face.plane.offset / level};
+  return {n.block, n.facade, {normal.x / level, normal.y / level}, face.plane.offset / level, 0};
+}
+
+// A strip's middle along its facade, from left to right as one stands inside.
+void place_strips(StripScene& scene) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  std::vector<Vec2> ends(scene.strips.size(), Vec2{kFar, -kFar});
+  for (size_t t = 0; t < scene.face_of.size(); ++t) {
+    const uint32_t s = scene.strip_of_face[scene.face_of[t]];
+    if (s == kNoStrip) continue;
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3& c = scene.corners[3 * t + k];
+      const double at = dot(Vec2{-scene.strips[s].normal.v, scene.strips[s].normal.u}, {c.x, c.y});
+      ends[s] = {std::min(ends[s].u, at), std::max(ends[s].v, at)};
+    }
+  }
+  for (size_t s = 0; s < ends.size(); ++s)
+    if (ends[s].u <= ends[s].v) scene.strips[s].place_m = (ends[s].u + ends[s].v) / 2;
 }
 
 }  // namespace
@@ -56,6 +73,7 @@ StripScene strip_scene(const Model& model, bool occluders) {
       scene.face_of.push_back(f);
     }
   }
+  place_strips(scene);
   return scene;
 }
 
