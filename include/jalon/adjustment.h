@@ -65,8 +65,8 @@ enum {
  *    digitised (least squares with bounds by an active set; Lawson & Hanson 1974; standard deviations are those
  *    without the bound, which are greater). "strip_correlation_m": offsets of a facade's strips hang together, by
  *    exp(-distance / length). "control_points": points seen at known times whose place is known hold the drive in
- *    plan, two conditions each. From the sixth pass on a point whose match still changes is left out, so that passes do not go
- *    to and fro between two answers.
+ *    plan, two conditions each. From the sixth pass on a point whose match still changes is left out, so that passes
+ *    do not go to and fro between two answers.
  *
  * Same bits whatever the threads. Not converged is a result that says so. O(points log strips) a pass, and linear in
  * strips and control times.

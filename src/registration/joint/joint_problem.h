@@ -24,8 +24,9 @@
 // h_s: mean signed distance of the given plane from the given points, (Q - P) . n; w_sc: the mean share
 // of control position c in the points of the strip (linear interpolation in time; they sum to 1).
 //
-// Beyond the text: strips of a facade may hang together, exp(-distance / length) of their places along it, and a control
-// point, seen at a time whose shares are w_c and known to the map, asks for its own correction: sum_c w_c T_c = v.
+// Beyond the text: strips of a facade may hang together, exp(-distance / length) of their places along it,
+// and a control point, seen at a time whose shares are w_c and known to the map, asks for its own
+// correction: sum_c w_c T_c = v.
 namespace jalon {
 
 struct StripCondition {
