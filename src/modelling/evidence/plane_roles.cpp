@@ -53,7 +53,7 @@ double share_of(size_t part, size_t all) {
 
 // A surround encloses an opening as the broad wall does, beside a narrow pier too.
 bool is_enclosed(const OpeningCandidate& opening) {
-  return is_framed(opening) ||
+  return opening.framed >= kFramedShare ||
          (opening.bordered >= kEnclosedShare && opening.relief >= kReliefShare);
 }
 
