@@ -75,6 +75,6 @@ FIGURES = [
     Figure("Q3", "ellipsoids of registration cover in 93 to 97 %", [("release/unit_registration", "icp__ellipsoids_cover_the_truth_as_often_as_they_say")], LONG, "the long form was run by itself on 2026-11-26: 93.4 to 96.8 % of 1 000 in each of six scenes"),
     Figure("Q4", "clouds that hold no surface end in the documented status", [("release/capi_degenerate_test", "every_method_and_choice__gives_the_documented_status")], EACH, ""),
     Figure("Q5", "1 000 round trips a format", [("release/reliability_round_trips_test", "round_trips__of_drawn_clouds_keep_what_each_format_promises")], LONG, ""),
-    Figure("Q6", "coverage: 95 % of lines, 90 % of branches", [], LONG, "not measured"),
+    Figure("Q6", "coverage: 95 % of lines, 90 % of branches", [("coverage", "FIGURE coverage of")], LONG, "85.1 % of branches and 98.8 % of lines on 2026-11-27, by the unit tests and the tests of C alone"),
     Figure("Q7", "Clang, clang-tidy and cppcheck without a word", [("clang", "library and tool compile without a warning"), ("cppcheck", "cppcheck: nothing new")], LONG, "clang-tidy was not run"),
 ]

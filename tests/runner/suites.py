@@ -136,6 +136,8 @@ def full_suites():
         script("valgrind", "tests/reliability/valgrind.sh", ["c_tests", "fuzz_replay"], full=True, packages=["valgrind"]),
         script("hostile", "tests/reliability/hostile.sh", ["counted_calls"], full=True, packages=["valgrind"]),
         script("mutation", "tests/reliability/mutation.py", [], [os.path.join(ROOT, "build", "work", "mutation", "copy")], full=True),
+        script("coverage", "tests/reliability/coverage.sh", [], [os.path.join(ROOT, "build", "work", "coverage")], full=True,
+               packages=["gcovr"]),
         script("mingw", "tests/install/mingw.sh", [], [], full=True, packages=["g++-mingw-w64-x86-64-posix", "libz-mingw-w64-dev", "wine64"]),
         script("viewer", "tests/viewer/check.py", ["jalon_cli"], full=True, packages=["chromium"]),
         script("static", "tests/install/static.sh", [], [], full=True),
