@@ -96,6 +96,7 @@ JALON_API void jalon_adjustment_release(jalon_adjustment* adjustment);
  *     rms             float64      m     of the accepted points off their strips, as weighted
  *     chi_square      float64      1     weighted square sum of all corrections
  *     p_value         float64      1     chance of as much or more where the sigmas are right: the test of the model.
+ *                                        With "set_back" = behind an approximation, whose error was not measured.
  *                                        Small: sigmas too small, or wrong matches
  *     weak_direction  float64 x 2  1     level unit vector that the strips' normals hold least
  *     weak_share      float64      1     how much: of their squares along the direction held best

@@ -111,6 +111,57 @@ static void adjusted_cloud__follows_the_corrections(void** state) {
   release_drive(&drive);
 }
 
+/* Three places that the map knows hold a drive whose model is as unsure as itself. */
+static void adjusted__by_control_points__is_nearer_and_no_wall_stands_before_its_eaves(
+    void** state) {
+  (void)state;
+  Drive drive = drive_of(5);
+  jalon_fields *given = NULL, *truth = NULL;
+  OK(jalon_trajectory_epochs(drive.trajectory, &given));
+  OK(jalon_trajectory_epochs(drive.true_trajectory, &truth));
+  uint64_t n = 0, count = 0;
+  double *t = column(given, "time", &count), *p = column(given, "xyz", &n),
+         *q = column(truth, "xyz", &n), points[18];
+  for (uint64_t i = 0; i < 3; ++i) {
+    const uint64_t e = (2 * i + 1) * count / 6;
+    const double six[] = {t[e], p[3 * e], p[3 * e + 1], q[3 * e], q[3 * e + 1], 0.01};
+    memcpy(points + 6 * i, six, sizeof six);
+  }
+  jalon_params* options = NULL;
+  OK(jalon_params_create("adjust", &options));
+  jalon_adjustment *free_drive = NULL, *held = NULL, *none = NULL;
+  OK(jalon_trajectory_adjust(drive.trajectory, drive.cloud, drive.model, NULL, NULL, &free_drive));
+  OK(jalon_params_set_doubles(options, "control_points", points, 18));
+  OK(jalon_params_set_string(options, "set_back", "behind"));
+  OK(jalon_params_set_double(options, "strip_correlation_m", 3));
+  OK(jalon_trajectory_adjust(drive.trajectory, drive.cloud, drive.model, options, NULL, &held));
+  jalon_trajectory *before = NULL, *after = NULL;
+  OK(jalon_adjustment_trajectory(free_drive, &before));
+  OK(jalon_adjustment_trajectory(held, &after));
+  assert_true(off(after, drive.true_trajectory) < 0.05);
+  assert_true(off(after, drive.true_trajectory) < off(before, drive.true_trajectory));
+  jalon_fields* facades = NULL;
+  OK(jalon_adjustment_facades(held, &facades));
+  double* offsets = column(facades, "offset", &n);
+  for (uint64_t f = 0; f < n; ++f) assert_true(offsets[f] <= 1e-9);
+  OK(jalon_params_set_doubles(options, "control_points", points, 17));
+  INVALID(
+      jalon_trajectory_adjust(drive.trajectory, drive.cloud, drive.model, options, NULL, &none));
+  assert_non_null(strstr(jalon_last_error_message(), "17 numbers"));
+  assert_null(none);
+  double* all[] = {t, p, q, offsets};
+  for (int i = 0; i < 4; ++i) free(all[i]);
+  jalon_fields_release(given);
+  jalon_fields_release(truth);
+  jalon_fields_release(facades);
+  jalon_trajectory_release(before);
+  jalon_trajectory_release(after);
+  jalon_adjustment_release(free_drive);
+  jalon_adjustment_release(held);
+  jalon_params_release(options);
+  release_drive(&drive);
+}
+
 static void adjust__of_impossible_input__names_what_is_wrong(void** state) {
   (void)state;
   Drive drive = drive_of(5);
@@ -147,6 +198,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(adjusted__by_a_sure_model__is_located),
       cmocka_unit_test(adjusted_cloud__follows_the_corrections),
+      cmocka_unit_test(adjusted__by_control_points__is_nearer_and_no_wall_stands_before_its_eaves),
       cmocka_unit_test(adjust__of_impossible_input__names_what_is_wrong),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

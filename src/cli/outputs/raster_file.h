@@ -27,7 +27,8 @@ struct RasterFile {
   }
   void check(const std::string& method) const {
     if (wanted() && method != "raster_growing")
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--raster is for --method raster_growing"};
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "--raster and --raster-tif are for --method raster_growing"};
   }
   /// The files, where path_of a name says: of the given plane of projection, else of the largest segment's. Their
   /// names, none where none was asked for.
