@@ -45,7 +45,9 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  *   and cylinders, from two points with normals or from points alone: they compete with the planes
  *   by their number of points, so a column is not taken for strips, and are kept where they turn by
  *   more than the normals of a plane may, few planes do not fit their points as well, and they
- *   stand out from what surrounds them. O(n log n).
+ *   stand out from what surrounds them. The tolerance is no narrower than 3 sigma of the cloud's
+ *   noisiest surfaces unless it is set (parameter "tolerance_from"); jalon_segmentation_parameters
+ *   tells it. O(n log n).
  * - "region_growing": regions grown from the flattest places (Vosselman et al. 2004) over points
  *   with normals: a point joins when its normal is within an angle of the running plane's and it
  *   lies within a distance of that plane (Stamos & Allen 2002), which is refitted as the region

@@ -171,7 +171,9 @@ struct Facade {
     const Json list = planes(console, segmentation, lengths);
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
-    if (const std::string note = front_note(segmentation.get()); !note.empty()) console.say(note);
+    for (const std::string& note :
+         {noise_note(planes_of.get(), segmentation.get(), lengths), front_note(segmentation.get())})
+      if (!note.empty()) console.say(note);
     if (!lengths.is_known()) console.say(lengths.note());
     console.result({{"input", input.path},
                     {"points", count_of(cloud)},

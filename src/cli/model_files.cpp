@@ -65,6 +65,13 @@ std::string png_list(const std::vector<std::string>& names, const OutputFolder& 
   return list;
 }
 
+// As used; empty where it has none (labels, picks).
+Json parameters_of(jalon_segmentation* segmentation) {
+  const char* text = nullptr;
+  must(jalon_segmentation_parameters(segmentation, &text));
+  return Json::parse(text, nullptr, false);
+}
+
 void write_relations(const Console& console, jalon_model* model, const std::string& of,
                      const std::string& path) {
   const Params options = make_params("relations");
@@ -233,6 +240,26 @@ std::string summary_line(const Json& summary) {
     separator = ", ";
   }
   return text;
+}
+
+double used_tolerance_m(jalon_segmentation* segmentation) {
+  return parameters_of(segmentation)["distance_tolerance_m"];
+}
+
+std::string noise_note(jalon_segmenter* segmenter, jalon_segmentation* segmentation,
+                       const Lengths& lengths) {
+  const Json used = parameters_of(segmentation);
+  if (!used.is_object() || used.value("tolerance_from", "") != "auto") return "";
+  Params params;
+  must(jalon_segmenter_params(segmenter, Out(params)));
+  double set_m = 0;
+  must(jalon_params_get_double(params.get(), "distance_tolerance_m", &set_m));
+  const double tolerance_m = used["distance_tolerance_m"];
+  if (tolerance_m <= set_m) return "";
+  const std::string unit = std::string(" ") + lengths.fine();
+  return "the surfaces of this scan have a noise of " + lengths.fine(used["sigma_m"], 0) + unit +
+         ": planes were found with a tolerance of " + lengths.fine(tolerance_m, 0) + unit +
+         " instead of " + lengths.fine(set_m, 0) + "; --tolerance sets it";
 }
 
 std::string front_note(jalon_segmentation* segmentation) {

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
+#include "cli/lengths.h"
 #include "cli/options.h"
 #include "cli/output_folder.h"
 
@@ -52,6 +53,12 @@ struct ModelFiles {
                                  jalon_model* model, const std::string& source,
                                  OutputFolder& folder) const;
 };
+
+/// The tolerance that planes were found with.
+double used_tolerance_m(jalon_segmentation* segmentation);
+/// One line where a scan is so noisy that its planes were found with a wider tolerance than set; "" elsewhere.
+std::string noise_note(jalon_segmenter* segmenter, jalon_segmentation* segmentation,
+                       const Lengths& lengths);
 
 /// "faces", "openings" and the number of parts of each class.
 nlohmann::ordered_json summary_of(jalon_model* model);

@@ -9,6 +9,7 @@
 #include "cli/outputs/method_comparison.h"
 #include "cli/outputs/raster_file.h"
 #include "cli/methods.h"
+#include "cli/model_files.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
@@ -126,12 +127,21 @@ struct Segment {
     const char* const* names = nullptr;
     uint64_t count = 0;
     must(jalon_segmenter_methods(&names, &count));
+    // "ransac", the first, widens its tolerance for a noisy scan; the others get the same.
+    double tolerance_for_all_m = tolerance_m;
+    std::string note;
     for (uint64_t i = 0; i < count; ++i) {
       console.step(names[i]);
       Segmentation segmentation;
-      const auto row =
-          comparison.run(console, names[i], cloud, reference.get(), tolerance_m, segmentation);
+      const auto row = comparison.run(console, names[i], cloud, reference.get(),
+                                      tolerance_for_all_m, segmentation);
       if (!row) continue;
+      if (note.empty() && tolerance_m == 0 && row->planes > 0) {
+        Params defaults;
+        const Segmenter plain = make_segmenter(names[i], defaults);
+        note = noise_note(plain.get(), segmentation.get(), Lengths::of(input, cloud));
+        if (!note.empty()) tolerance_for_all_m = used_tolerance_m(segmentation.get());
+      }
       rows.push_back(*row);
       if (row->planes > 0) draw(console, segmentation, folder.path(std::string(names[i]) + ".svg"));
     }
@@ -147,6 +157,7 @@ struct Segment {
         MethodComparison::page(std::filesystem::path(input.path).filename().string(), rows));
     folder.commit();
     for (const std::string& line : MethodComparison::lines(rows)) console.say(line);
+    if (!note.empty()) console.say(note);
     console.say("wrote " + output + ": methods.html, methods.csv, methods.json, pictures");
     console.result(result);
   }
@@ -202,6 +213,9 @@ struct Segment {
         "primitives.txt";
     for (const std::string& name : more) names += ", " + name;
     console.say("wrote " + output + ": " + names);
+    if (const std::string note = noise_note(worker.get(), segmentation.get(), lengths);
+        !note.empty())
+      console.say(note);
     if (!lengths.is_known()) console.say(lengths.note());
     console.result(result);
   }

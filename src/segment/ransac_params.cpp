@@ -18,9 +18,10 @@ constexpr auto kRansacTolerance = setting_rows(number_row<&SurfaceSettings::dist
 
 constexpr auto kRansacToleranceFrom = setting_rows(
     choice_row<&ToleranceSettings::tolerance_from>(
-        "tolerance_from", "hand|sigma|estimate", "ransac",
-        "The tolerance: distance_tolerance_m; from sigma_m by chi-square; or the same with "
-        "the sigma of the cloud's own neighbourhoods."),
+        "tolerance_from", "auto|hand|sigma|estimate", "ransac",
+        "The tolerance: distance_tolerance_m, and where that is left at its default no less than "
+        "3 sigma of the cloud's noisiest surfaces; distance_tolerance_m as it is; from sigma_m by "
+        "chi-square; or the same with the sigma of the cloud's own neighbourhoods."),
     number_row<&ToleranceSettings::sigma_m>(
         "sigma_m", 1e-6, 10, "m", "ransac",
         "Standard deviation of a point across its surface, for tolerance_from = sigma."),

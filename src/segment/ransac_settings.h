@@ -9,11 +9,12 @@
 
 namespace jalon {
 
-/// Where the tolerance comes from: distance_tolerance_m, sigma and a probability, or the same with
-/// a sigma estimated from the cloud.
-enum class ToleranceSource { kHand, kSigma, kEstimate };
+/// Where the tolerance comes from: distance_tolerance_m, but no less than the noise needs unless it
+/// was set; distance_tolerance_m as it is; sigma and a probability; or the same with a sigma
+/// estimated from the cloud.
+enum class ToleranceSource { kAuto, kHand, kSigma, kEstimate };
 struct ToleranceSettings {
-  ToleranceSource tolerance_from = ToleranceSource::kHand;
+  ToleranceSource tolerance_from = ToleranceSource::kAuto;
   double sigma_m = 0.005;
   double tolerance_probability = 0.99;
   int tolerance_dof = 1;

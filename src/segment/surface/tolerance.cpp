@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "geometry/plane.h"
 #include "geometry/symmetric_eigen.h"
+#include "segment/surface/surface_noise.h"
 
 namespace jalon {
 
@@ -65,6 +66,20 @@ LocalSpread local_spread(const Cloud& cloud, const Octree& tree, uint32_t k, Tas
   return {median(across) / (dof > 0 ? median_of_variances(dof) : 1), median(along)};
 }
 
+// A plane's half-thickness in sigmas of its points, as the parameter's help says: 99.7 % of them.
+constexpr double kSigmasOfTolerance = 3;
+
+/// The default, or what noise needs that is more than the default was chosen for (scanners on vehicles, in the hand).
+Tolerance no_less_than_noise(const Cloud& cloud, const Octree& tree, const RansacSettings& settings,
+                             Task& task) {
+  const Tolerance plain{settings.surface.distance_tolerance_m, settings.tolerance.sigma_m};
+  if (plain.distance_tolerance_m != SurfaceSettings{}.distance_tolerance_m) return plain;
+  const double noise = std::min(surface_noise_m(cloud, tree, task), kMostTolerance_m);
+  const double tolerance = kSigmasOfTolerance * noise;
+  if (tolerance <= plain.distance_tolerance_m) return plain;
+  return {std::min(tolerance, kMostTolerance_m), noise};
+}
+
 }  // namespace
 
 double tolerance_of_sigma(double sigma_m, double probability, int dof) {
@@ -83,6 +98,8 @@ double estimate_sigma(const Cloud& cloud, const Octree& tree, Task& task) {
 Tolerance tolerance_of(const Cloud& cloud, const Octree& tree, const RansacSettings& settings,
                        Task& task) {
   const ToleranceSettings& from = settings.tolerance;
+  if (from.tolerance_from == ToleranceSource::kAuto)
+    return no_less_than_noise(cloud, tree, settings, task);
   if (from.tolerance_from == ToleranceSource::kHand)
     return {settings.surface.distance_tolerance_m, from.sigma_m};
   Tolerance out{0, from.sigma_m};

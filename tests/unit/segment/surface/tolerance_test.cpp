@@ -56,3 +56,23 @@ TEST_CASE("tolerance_of__by_hand_by_sigma_or_by_the_cloud") {
   CHECK(found.sigma_m == doctest::Approx(0.004).epsilon(0.05).scale(0));
   CHECK(found.distance_tolerance_m == doctest::Approx(2.575829 * found.sigma_m).scale(0));
 }
+
+TEST_CASE("tolerance_of__auto_is_the_default_on_an_exact_scan_and_wider_on_a_noisy_one") {
+  RansacSettings settings;
+  Task task;
+  const auto tolerance = [&](double sigma_m) {
+    const auto cloud = noisy_wall(sigma_m);
+    return tolerance_of(*cloud, *cloud->octree(task), settings, task);
+  };
+  const double least = settings.surface.distance_tolerance_m;
+  CHECK(tolerance(0.003).distance_tolerance_m == least);
+  const Tolerance wide = tolerance(0.03);
+  CHECK(wide.sigma_m == doctest::Approx(0.03).epsilon(0.1).scale(0));
+  CHECK(wide.distance_tolerance_m == 3 * wide.sigma_m);
+  // What was set stays, and so does the default where it is meant.
+  settings.surface.distance_tolerance_m = 0.02;
+  CHECK(tolerance(0.03).distance_tolerance_m == 0.02);
+  settings.surface.distance_tolerance_m = least;
+  settings.tolerance.tolerance_from = ToleranceSource::kHand;
+  CHECK(tolerance(0.03).distance_tolerance_m == least);
+}

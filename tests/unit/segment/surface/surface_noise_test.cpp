@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/surface/surface_noise.h"
+
+#include <doctest/doctest.h>
+
+#include "unit/segment/scenes.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+double noise_of(const Scene& scene) {
+  const CloudPtr cloud = cloud_of(scene.points);
+  Task task;
+  return surface_noise_m(*cloud, *cloud->octree(task), task);
+}
+
+}  // namespace
+
+TEST_CASE("surface_noise_m__finds_the_noise_of_a_wall_whatever_the_spacing") {
+  for (const double sigma_m : {0.002, 0.01, 0.03, 0.06}) {
+    CAPTURE(sigma_m);
+    Scene scene;
+    RandomStream random(3, 7);
+    scene.rectangle(1, {0, 0, 0}, {8, 0, 0}, {0, 0, 6}, 40000, sigma_m, random);
+    CHECK(noise_of(scene) == doctest::Approx(sigma_m).epsilon(0.1).scale(0));
+  }
+}
+
+TEST_CASE("surface_noise_m__is_that_of_the_noisier_kind_of_surfaces") {
+  Scene scene;
+  RandomStream random(4, 7);
+  scene.rectangle(1, {0, 0, 0}, {8, 0, 0}, {0, 0, 4}, 12000, 0.02, random);
+  scene.rectangle(2, {0, 0, 0}, {8, 0, 0}, {0, -6, 0}, 30000, 0.002, random);
+  CHECK(noise_of(scene) == doctest::Approx(0.02).epsilon(0.1).scale(0));
+}
+
+TEST_CASE("surface_noise_m__shape_is_no_noise_and_a_volume_has_none") {
+  // Two thirds of a wall are battens 5 cm deep, narrower than the neighbourhoods.
+  Scene battens;
+  RandomStream random(5, 7);
+  battens.rectangle(1, {0, 0, 0}, {3, 0, 0}, {0, 0, 3}, 9000, 0.002, random);
+  for (int i = 0; i < 60; ++i)
+    battens.rectangle(2 + i, {3 + 0.1 * i, i % 2 * 0.05, 0}, {0.1, 0, 0}, {0, 0, 3}, 300, 0.002,
+                      random);
+  CHECK(noise_of(battens) < 0.003);
+  Scene volume;
+  for (int i = 0; i < 20000; ++i)
+    volume.points.push_back({4 * random.uniform(), 4 * random.uniform(), 4 * random.uniform()});
+  CHECK(noise_of(volume) == 0);
+}
+
+TEST_CASE("surface_noise_m__few_points_and_flat_ones") {
+  Scene scene;
+  RandomStream random(6, 7);
+  scene.rectangle(1, {0, 0, 0}, {1, 0, 0}, {0, 0, 1}, 20, 0, random);
+  CHECK(noise_of(scene) < 1e-6);
+}
