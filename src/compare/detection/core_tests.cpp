@@ -26,8 +26,11 @@ constexpr double kRough = 0.25;       // scatter over radius: no plane
 constexpr double kMadSigma = 1.4826;  // median of |z| to a standard deviation
 constexpr double kMarginSigmas = 4;   // of noise, about a surface that was seen
 
-bool is_surface(const SurfaceCore& core) {
-  return core.has_plane() && core.sigma_m <= kRough * core.radius_m;
+/// A plane that is as wide as its points are rough is none, nor is one row of points under grazing rays, which noise
+/// alone spreads along them. A disc of points ends at 2 standard deviations.
+bool is_surface(const SurfaceCore& core, double noise_m) {
+  return core.has_plane() && core.sigma_m <= kRough * core.radius_m &&
+         noise_m <= kRough * 2 * std::sqrt(core.spread_v2);
 }
 
 double shape2(const SurfaceCore& core, double noise_m) {
@@ -38,6 +41,28 @@ double shape2(const SurfaceCore& core, double noise_m) {
 /// z of the same p-value as t (Wallace's approximation as simplified by Gleason): the scatter is of few points.
 double deviate(double t, double degrees) {
   return std::sqrt(degrees * std::log1p(t * t / degrees)) * (1 - 3 / (4 * degrees));
+}
+
+struct Offset {
+  double distance_m = 0, variance_m2 = 0;
+};
+
+/// Of a core from a surface of the other epoch beside it. Along the surface's normal a curved one that did not move
+/// has one, by the bend between both; along the mean of both normals it has none to second order (Rusinkiewicz 2019,
+/// the symmetric objective of ICP), but the core's own normal brings its scatter. So the correction counts by what of
+/// it the scatter of the normals does not explain (the positive part of James & Stein 1961): none of it on a plane.
+Offset offset_of(const SurfaceCore& core, const SurfaceCore& surface) {
+  const Vec3 apart = core.centroid - surface.centroid;
+  const Vec3 facing = dot(surface.normal, core.normal) < 0 ? -core.normal : core.normal;
+  const double lever = surface.lever_variance_at(core.centroid),
+               own_lever = core.lever_variance_at(surface.centroid);
+  const double bend = dot(facing - surface.normal, apart) / 2;
+  const double scatter = (lever + own_lever) / 4;
+  const double share = bend * bend > scatter ? 1 - scatter / (bend * bend) : 0;
+  const double weight = 1 - share / 2, own_weight = share / 2;  // of the normals
+  return {dot(surface.normal, apart) + share * bend,
+          core.height_variance() + surface.height_variance() + weight * weight * lever +
+              own_weight * own_weight * own_lever};
 }
 
 class Tester {
@@ -58,20 +83,20 @@ class Tester {
     std::array<Neighbour, kCandidates> found;
     const size_t n = reference_.nearest(core.centroid, kCandidates, found);
     if (n > 0) out.surface = found[0].index;
-    if (!is_surface(core)) return out;
+    if (!is_surface(core, noise_m_)) return out;
     for (size_t k = 0; k < n; ++k) {
       const SurfaceCore& surface = reference_[found[k].index];
-      if (!is_surface(surface) || std::abs(dot(surface.normal, core.normal)) < kSameFacing)
+      if (!is_surface(surface, noise_m_) ||
+          std::abs(dot(surface.normal, core.normal)) < kSameFacing)
         continue;
       if (surface.aside2(core.centroid) > kMostAside2) continue;
-      const double distance = dot(surface.normal, core.centroid - surface.centroid);
-      if (out.has_surface && std::abs(distance) >= std::abs(out.distance_m)) continue;
+      const Offset off = offset_of(core, surface);
+      if (out.has_surface && std::abs(off.distance_m) >= std::abs(out.distance_m)) continue;
       out.has_surface = true;
       out.surface = found[k].index;
-      out.distance_m = distance;
-      out.sigma_m = std::sqrt(core.sigma_m * core.sigma_m / core.count +
-                              surface.variance_at(core.centroid) + shape2(core, noise_m_) +
-                              shape2(surface, noise_m_) + rates_.alignment_m * rates_.alignment_m);
+      out.distance_m = off.distance_m;
+      out.sigma_m = std::sqrt(off.variance_m2 + shape2(core, noise_m_) + shape2(surface, noise_m_) +
+                              rates_.alignment_m * rates_.alignment_m);
     }
     return out;
   }
@@ -105,7 +130,8 @@ class Tester {
     const size_t n = reference_.nearest(core.centroid, kBorderCandidates, found);
     for (size_t k = 0; k < n; ++k) {
       const SurfaceCore& surface = reference_[found[k].index];
-      if (!is_surface(surface) || std::abs(dot(surface.normal, core.normal)) < kSameFacing)
+      if (!is_surface(surface, noise_m_) ||
+          std::abs(dot(surface.normal, core.normal)) < kSameFacing)
         continue;
       const double off = std::abs(dot(surface.normal, core.centroid - surface.centroid));
       const double reach = std::max(core.radius_m, surface.radius_m);

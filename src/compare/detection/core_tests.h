@@ -21,7 +21,7 @@ struct CoreTest {
   CoreState state = CoreState::kUnchanged;
   bool has_surface = false;  ///< of the reference, facing the same way, about the core's foot
   uint32_t surface = 0;      ///< that one of the reference's cores
-  double distance_m = 0;  ///< from it, along its normal; without a surface from its nearest point
+  double distance_m = 0;  ///< from it, bends allowed for; without a surface from its nearest point
   double sigma_m = 0;     ///< of that distance
 };
 

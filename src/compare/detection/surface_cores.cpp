@@ -60,10 +60,6 @@ double SurfaceCore::aside2(const Vec3& p) const {
   return u * u / spread_u2 + v * v / spread_v2;
 }
 
-double SurfaceCore::variance_at(const Vec3& p) const {
-  return sigma_m * sigma_m * (1 + aside2(p)) / static_cast<double>(count);
-}
-
 SurfaceCores::SurfaceCores(const Cloud& cloud, const Vec3& origin, Task& task) : origin_(origin) {
   const auto tree = cloud.octree(task);
   const size_t n = (cloud.size() + kCoreStride - 1) / kCoreStride;

@@ -23,7 +23,10 @@ struct SurfaceCore {
   /// In the plane, from the centroid, in standard deviations squared: a disc ends at 4.
   double aside2(const Vec3& p) const;
   /// Variance of the plane's height at p by the scatter of its points, m^2.
-  double variance_at(const Vec3& p) const;
+  double variance_at(const Vec3& p) const { return height_variance() + lever_variance_at(p); }
+  double height_variance() const { return sigma_m * sigma_m / count; }  ///< at the centroid
+  /// What the uncertain slope adds at p.
+  double lever_variance_at(const Vec3& p) const { return height_variance() * aside2(p); }
 };
 
 /// Planes that stand for all of a cloud: about every so many of its points, in the order of its octree.

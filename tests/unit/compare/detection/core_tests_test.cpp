@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "compare/detection/core_tests.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/random.h"
+#include "unit/cloud/clouds.h"
+
+using namespace jalon;
+using namespace jalon::test;
+
+namespace {
+
+constexpr double kNoise_m = 0.003;  // along the rays of a scanner in the origin
+
+/// A wall of 5 m at 12 m from the scanner, which makes most of the scene smooth.
+void add_wall(std::vector<Vec3>& points, RandomStream& random) {
+  constexpr double kSpacing_m = 0.03;
+  for (double x = -2.5; x < 2.5; x += kSpacing_m)
+    for (double z = -2.5; z < 2.5; z += kSpacing_m) {
+      const Vec3 p{x, 12, z};
+      points.push_back(p * (1 + kNoise_m * random.normal() / norm(p)));
+    }
+}
+
+/// A ball at 9 m, its points as far apart as they are before the wall, at other places in each epoch.
+std::vector<Vec3> ball_before_wall(uint64_t seed, double grown_m = 0) {
+  constexpr double kStep_rad = 0.0025, kRadius_m = 0.9;
+  const Vec3 centre{0, 9, 0};
+  const double radius_m = kRadius_m + grown_m;
+  RandomStream random(seed, 0);
+  std::vector<Vec3> points;
+  add_wall(points, random);
+  const double phase = random.uniform();
+  for (double i = -40; i < 40; ++i)
+    for (double j = -40; j < 40; ++j) {
+      const Vec3 way = normalized({(i + phase) * kStep_rad, 1, (j + random.uniform()) * kStep_rad});
+      const double along = dot(way, centre);
+      const double rest = radius_m * radius_m - (squared_norm(centre) - along * along);
+      if (rest > 0) points.push_back(way * (along - std::sqrt(rest) + kNoise_m * random.normal()));
+    }
+  return points;
+}
+
+/// Rows of points half a metre apart, on a level surface below the scanner.
+std::vector<Vec3> rows_before_wall(uint64_t seed) {
+  constexpr double kAlong_m = 0.01, kApart_m = 0.5, kBelow_m = 0.3;
+  RandomStream random(seed, 0);
+  std::vector<Vec3> points;
+  add_wall(points, random);
+  for (double y = 4; y < 8; y += kApart_m) {
+    const double phase = random.uniform();
+    for (double k = 0; k < 200; ++k) {
+      const Vec3 p{(k - 100 + phase) * kAlong_m, y, -kBelow_m};
+      points.push_back(p * (1 + kNoise_m * random.normal() / norm(p)));
+    }
+  }
+  return points;
+}
+
+size_t moved_cores(const std::vector<Vec3>& was, const std::vector<Vec3>& is) {
+  Task task;
+  const Cloud before = cloud_of(was), after = cloud_of(is);
+  const auto tree = before.octree(task);
+  std::vector<double> nearest_m;
+  for (const Vec3& p : is) {
+    std::array<Neighbour, 1> found;
+    tree->knn(p, 1, found);
+    nearest_m.push_back(std::sqrt(found[0].squared_distance));
+  }
+  const SurfaceCores reference(before, {}, task), compared(after, {}, task);
+  const CoreTests tests = test_cores(reference, compared, nearest_m, nullptr, {}, {}, task);
+  return static_cast<size_t>(
+      std::count_if(tests.cores.begin(), tests.cores.end(),
+                    [](const CoreTest& test) { return test.state == CoreState::kMoved; }));
+}
+
+}  // namespace
+
+TEST_CASE("core_tests__a_curved_surface_sampled_at_other_places_has_not_moved") {
+  size_t moved = 0;
+  for (uint64_t seed = 1; seed <= 4; ++seed)
+    moved += moved_cores(ball_before_wall(2 * seed), ball_before_wall(2 * seed + 1));
+  CHECK(moved <= 2);  // of some 1200, by the rate of false discoveries
+}
+
+TEST_CASE("core_tests__a_ball_that_grew_by_three_times_the_noise_has_moved") {
+  CHECK(moved_cores(ball_before_wall(21), ball_before_wall(22, 3 * kNoise_m)) > 150);
+}
+
+TEST_CASE("core_tests__single_rows_under_grazing_rays_are_no_surface_that_moves") {
+  size_t moved = 0;
+  for (uint64_t seed = 31; seed <= 34; ++seed)
+    moved += moved_cores(rows_before_wall(2 * seed), rows_before_wall(2 * seed + 1));
+  CHECK(moved <= 1);
+}
