@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/parallel.h"
+#include "compare/changes/surface_parts.h"
 #include "compare/detection/detection.h"
 #include "spatial/union_find.h"
 
@@ -151,6 +152,10 @@ std::vector<std::vector<size_t>> group_pieces(const Epoch& before, const Epoch& 
                                                    : is_moved_to(pieces[a], pieces[b], cell_m))
         join(a, b);
   }
+  // 4.
+  for (const Epoch* epoch : {&after, &before})
+    for (const auto& [a, b] : parts_of_one_surface(*epoch, task))
+      epoch == &after ? join(a - 1, b - 1) : join(first + a - 1, first + b - 1);
   std::map<uint32_t, std::vector<size_t>> groups;
   std::vector<uint32_t> order;
   for (size_t k = 0; k < pieces.size(); ++k) {
