@@ -151,6 +151,20 @@ Vec3 centre_of(const Cloud& cloud, std::span<const uint32_t> points) {
   return origin + sum / static_cast<double>(points.size());
 }
 
+struct CellBrightness {
+  double n = 0, sum = 0, squares = 0;
+  double mean() const { return n > 0 ? sum / n : NAN; }
+  double variance() const { return std::max(0.0, squares / n - mean() * mean()) * n / (n - 1); }
+};
+
+CellBrightness brightness_of(const Column& intensity, std::span<const uint32_t> points) {
+  CellBrightness out;
+  for (const uint32_t index : points)
+    if (const double value = intensity.number(index); std::isfinite(value))
+      ++out.n, out.sum += value, out.squares += value * value;
+  return out;
+}
+
 // One point for each cell, with the mean of the brightness.
 Cloud means_of_cells(const Cloud& cloud, const Octree& tree, const std::vector<Octree::Cell>& cells,
                      const Column& intensity) {
@@ -160,11 +174,7 @@ Cloud means_of_cells(const Cloud& cloud, const Octree& tree, const std::vector<O
     const auto points = tree.order().subspan(cells[i].first, cells[i].count);
     const Vec3 centre = centre_of(cloud, points);
     for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = centre[k];
-    double n = 0;
-    for (const uint32_t index : points)
-      if (const double value = intensity.number(index); std::isfinite(value))
-        ++n, values[i] += value;
-    values[i] = n > 0 ? values[i] / n : NAN;
+    values[i] = brightness_of(intensity, points).mean();
   }
   Cloud out = make_cloud(std::move(xyz));
   out.fields.set(make_column<double>({.name = kMeanField}, values));
@@ -181,15 +191,10 @@ class Contrasts {
         shift_(3 * std::min(level, kCoarser)) {
     std::vector<double> means(cells.size()), noises;
     for (size_t i = 0; i < cells.size(); ++i) {
-      double n = 0, sum = 0, squares = 0;
-      for (const uint32_t index : tree.order().subspan(cells[i].first, cells[i].count)) {
-        const double value = intensity.number(index);
-        if (!std::isfinite(value)) continue;
-        ++n, sum += value, squares += value * value;
-      }
-      means[i] = n > 0 ? sum / n : NAN;
-      if (n >= kLeastOfCell)
-        noises.push_back(std::sqrt(std::max(0.0, squares / n - means[i] * means[i]) * n / (n - 1)));
+      const CellBrightness cell =
+          brightness_of(intensity, tree.order().subspan(cells[i].first, cells[i].count));
+      means[i] = cell.mean();
+      if (cell.n >= kLeastOfCell) noises.push_back(std::sqrt(cell.variance()));
     }
     std::vector<std::pair<double, double>> range(coarse_.size(), {INFINITY, -INFINITY});
     for (size_t i = 0; i < cells.size(); ++i) {
