@@ -52,7 +52,6 @@ struct ClassFigures {
     return n > 0 ? sum / n : 0;
   }
   std::string text() const {
-    constexpr const char* kNames[] = {"rest", "walls", "doors", "windows", "gutters"};
     std::string out =
         "oAcc " + jalon::text_of(overall(), 4) + ", mean F1 " + jalon::text_of(mean_f1(), 3);
     for (size_t c = 0; c < 5; ++c)
@@ -61,8 +60,19 @@ struct ClassFigures {
                jalon::text_of(recall(c), 3) + " " + jalon::text_of(f1(c), 3);
     return out;
   }
+  /// Points by truth / given class, of those that got another class than theirs.
+  std::string confusions() const {
+    std::string out;
+    for (size_t t = 0; t < 5; ++t)
+      for (size_t g = 0; g < 5; ++g)
+        if (t != g && counts[t][g] > 0)
+          out += std::string(out.empty() ? "" : ", ") + kNames[t] + " as " + kNames[g] + " " +
+                 std::to_string(counts[t][g]);
+    return out;
+  }
 
  private:
+  static constexpr const char* kNames[] = {"rest", "walls", "doors", "windows", "gutters"};
   static double ratio(uint64_t part, uint64_t whole) {
     return whole == 0 ? 0 : static_cast<double>(part) / static_cast<double>(whole);
   }

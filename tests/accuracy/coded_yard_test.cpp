@@ -94,9 +94,10 @@ TEST_CASE("coded_yard__both_methods_give_points_their_classes") {
         const ClassFigures survey = by_survey(yard, form), targets = by_targets(yard, form);
         MESSAGE("FIGURE codes, " << name << ", seed " << seed << ", survey, "
                                  << std::string(form_name) << ", " << yard.truth.size()
-                                 << " points: " << survey.text());
+                                 << " points: " << survey.text() << "; " << survey.confusions());
         MESSAGE("FIGURE codes, " << name << ", seed " << seed << ", targets, "
-                                 << std::string(form_name) << ": " << targets.text());
+                                 << std::string(form_name) << ": " << targets.text() << "; "
+                                 << targets.confusions());
         // Planes of targets reach into the doors beside windows; by their fronts they do not.
         CHECK(survey.counts[2][3] + survey.counts[3][2] == 0);
         if (form == CodeForm::kImproved) CHECK(targets.counts[2][3] + targets.counts[3][2] == 0);
