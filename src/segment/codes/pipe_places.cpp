@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "base/parallel.h"
+#include "segment/codes/building_sides.h"
 
 namespace jalon {
 
@@ -16,6 +17,7 @@ constexpr double kMostOff_m = 0.06;  // twice a prism held badly
 constexpr double kOnPipe_m = 0.01;   // five times the noise of a scanner
 constexpr size_t kFewestOnPipe = 40;
 constexpr uint64_t kPipeDraws = 4;
+constexpr int kRoundsInFront = 3;
 constexpr double kLeastPart = 0.6, kMostPart = 1.6;  // of the surveyed radius
 
 bool is_upright(const CodedObject& object) {
@@ -23,18 +25,37 @@ bool is_upright(const CodedObject& object) {
          in_plan(object.shape.axis[0]) == in_plan(object.shape.axis[1]);
 }
 
+// The weights of a fit may swing: another draw then.
+bool fit_pipe(const std::vector<Vec2>& points, PrimitiveSetting setting, Task& task,
+              CircleFit& fit) {
+  if (points.size() < kFewestOnPipe) return false;
+  for (setting.seed = 1; setting.seed <= kPipeDraws; ++setting.seed)
+    if (fit_circle(points, setting, task, fit)) return fit.n >= kFewestOnPipe;
+  return false;
+}
+
+// 1. the circle among the points; 2. again without what lies behind the side of it that is seen: the wall, where it
+// stands as near as the pipe's back. outward: zero where no wall is known.
 std::optional<PipePlace> place_of_pipe(const CodedObject& object, size_t number,
-                                       const std::vector<Vec2>& points, Task& task) {
+                                       const std::vector<Vec2>& points, const Vec2& outward,
+                                       Task& task) {
   const CodeShape& shape = object.shape;
   PrimitiveSetting setting;
   setting.tolerance_m = kOnPipe_m;
   setting.min_radius_m = kLeastPart * shape.radius_m;
   setting.max_radius_m = kMostPart * shape.radius_m;
   CircleFit fit;
-  bool is_fitted = false;  // the weights of a fit may swing: another draw then
-  for (setting.seed = 1; !is_fitted && setting.seed <= kPipeDraws; ++setting.seed)
-    is_fitted = points.size() >= kFewestOnPipe && fit_circle(points, setting, task, fit);
-  if (!is_fitted || fit.n < kFewestOnPipe) return std::nullopt;
+  if (!fit_pipe(points, setting, task, fit)) return std::nullopt;
+  const bool has_wall = dot(outward, outward) > 0;
+  for (int round = 0; has_wall && round < kRoundsInFront; ++round) {
+    std::vector<Vec2> in_front;
+    for (const Vec2& p : points)
+      if (dot(p - fit.circle.centre, outward) > -kPipeBackShare * fit.circle.radius)
+        in_front.push_back(p);
+    CircleFit better;
+    if (!fit_pipe(in_front, setting, task, better)) break;
+    fit = better;
+  }
   const double off = norm(fit.circle.centre - in_plan(shape.axis[0]));
   if (off > kMostOff_m) return std::nullopt;
   return PipePlace{number, fit.circle, off};
@@ -47,7 +68,11 @@ std::vector<PipePlace> pipe_places(const Cloud& cloud, const CodedObjects& objec
   for (size_t i = 0; i < objects.objects.size(); ++i)
     if (is_upright(objects.objects[i])) pipes.push_back(i);
   if (pipes.empty()) return {};
-  // 1. The points about each, chunk by chunk in their order.
+  std::vector<Vec2> outward;
+  for (const size_t i : pipes)
+    outward.push_back(way_out_at_pipe(objects, in_plan(objects.objects[i].shape.axis[0])));
+  // 1. The points about each, chunk by chunk in their order. What lies farther behind its axis than its radius is its
+  // wall: nobody sees the back of a pipe, and a wall that is scanned more densely would draw the circle to itself.
   const size_t chunks = (cloud.size() + kPipePointsPerChunk - 1) / kPipePointsPerChunk;
   std::vector<std::vector<std::pair<size_t, Vec2>>> found(chunks);
   parallel_for(task, cloud.size(), kPipePointsPerChunk, [&](size_t begin, size_t end) {
@@ -58,7 +83,7 @@ std::vector<PipePlace> pipe_places(const Cloud& cloud, const CodedObjects& objec
         if (!(p.z > shape.low_m && p.z < shape.high_m)) continue;
         const Vec2 d = in_plan(p - shape.axis[0]);
         const double reach = shape.radius_m + kMostOff_m;
-        if (dot(d, d) < reach * reach)
+        if (dot(d, d) < reach * reach && dot(d, outward[k]) >= -shape.radius_m)
           found[begin / kPipePointsPerChunk].push_back({k, in_plan(p)});
       }
     }
@@ -69,7 +94,8 @@ std::vector<PipePlace> pipe_places(const Cloud& cloud, const CodedObjects& objec
     for (const auto& [k, p] : part) points[k].push_back(p);
   std::vector<PipePlace> places;
   for (size_t k = 0; k < pipes.size(); ++k)
-    if (auto place = place_of_pipe(objects.objects[pipes[k]], pipes[k], points[k], task))
+    if (auto place =
+            place_of_pipe(objects.objects[pipes[k]], pipes[k], points[k], outward[k], task))
       places.push_back(*place);
   return places;
 }

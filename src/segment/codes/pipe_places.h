@@ -10,6 +10,9 @@
 
 namespace jalon {
 
+/// Of a pipe's radius, behind its axis as seen from its wall: where the side begins that nobody sees.
+inline constexpr double kPipeBackShare = 0.25;
+
 /// Where the cloud has an upright pipe.
 struct PipePlace {
   size_t object = 0;  ///< index

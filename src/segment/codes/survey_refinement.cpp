@@ -7,6 +7,7 @@
 #include "base/parallel.h"
 #include "base/text_number.h"
 #include "geometry/polygon2.h"
+#include "segment/codes/building_sides.h"
 #include "segment/codes/opening_front.h"
 #include "segment/codes/pipe_places.h"
 #include "segment/codes/survey_space.h"
@@ -17,8 +18,6 @@ namespace {
 
 constexpr size_t kRefinedPerChunk = 1 << 14;
 constexpr double kAside_m = 0.02;         // two steps from a frame tell which way is out
-constexpr double kBeforeWall_m = 0.15;    // of the axis of a downpipe from an outline
-constexpr double kBackShare = 0.25;       // of its radius, behind which its back begins
 constexpr double kAboutPlane_m = 0.07;    // within which the front of an opening is looked for
 constexpr double kShiftedPipe_m = 0.015;  // the thesis' margin about pipes is 0.02
 constexpr double kFittedPipeMargin_m = 0.01;
@@ -84,7 +83,8 @@ class Refinement {
   // faces its wall.
   void pipes(const std::vector<PipePlace>& places, std::vector<uint32_t>& object_of_point) {
     std::vector<Vec2> outward;
-    for (const PipePlace& place : places) outward.push_back(way_out(place.circle.centre));
+    for (const PipePlace& place : places)
+      outward.push_back(way_out_at_pipe(objects_, place.circle.centre));
     parallel_for(task_, cloud_.size(), kRefinedPerChunk, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i)
         for (size_t k = 0; k < places.size(); ++k) {
@@ -92,10 +92,10 @@ class Refinement {
           const Vec3 p = local(i);
           const CodeShape& shape = objects_.objects[place.object].shape;
           const auto number = static_cast<uint32_t>(place.object + 1);
-          const bool is_on =
-              p.z > shape.low_m && p.z < shape.high_m &&
-              std::fabs(place.circle.distance(in_plan(p))) < kFittedPipeMargin_m &&
-              dot(in_plan(p) - place.circle.centre, outward[k]) > -kBackShare * place.circle.radius;
+          const bool is_on = p.z > shape.low_m && p.z < shape.high_m &&
+                             std::fabs(place.circle.distance(in_plan(p))) < kFittedPipeMargin_m &&
+                             dot(in_plan(p) - place.circle.centre, outward[k]) >
+                                 -kPipeBackShare * place.circle.radius;
           if (is_on) object_of_point[i] = number;
           else if (object_of_point[i] == number) object_of_point[i] = shells_.object_at(p);
         }
@@ -135,32 +135,11 @@ class Refinement {
     const Vec2 base = in_plan(s.corner_b - s.corner_a), along = base * (1 / norm(base));
     OpeningPlane plane{in_plan(s.corner_a), along, {along.v, -along.u}, false};
     const Vec2 middle = in_plan(0.5 * (s.corner_a + s.corner_b)), aside = plane.outward * kAside_m;
-    const double there = depth_in_buildings(middle + aside),
-                 here = depth_in_buildings(middle - aside);
+    const double there = depth_in_buildings(objects_, middle + aside),
+                 here = depth_in_buildings(objects_, middle - aside);
     plane.has_outside = std::isfinite(there);
     if (there > here) plane.outward = plane.outward * -1;
     return plane;
-  }
-
-  // Away from the building before whose wall a pipe stands; zero where none is near.
-  Vec2 way_out(const Vec2& p) const {
-    if (!(std::fabs(depth_in_buildings(p)) < kBeforeWall_m)) return {};
-    const Vec2 inward{
-        depth_in_buildings(p + Vec2{kAside_m, 0}) - depth_in_buildings(p - Vec2{kAside_m, 0}),
-        depth_in_buildings(p + Vec2{0, kAside_m}) - depth_in_buildings(p - Vec2{0, kAside_m})};
-    const double length = norm(inward);
-    return length > 0 ? inward * (-1 / length) : Vec2{};
-  }
-
-  // How far inside the outline of the nearest building, negative outside; minus infinity without any.
-  double depth_in_buildings(const Vec2& p) const {
-    double most = -INFINITY;
-    for (const CodedObject& object : objects_.objects) {
-      if (object.shape.kind != CodeShape::Kind::kPrism) continue;
-      const double distance = border_distance(object.shape.polygon, p);
-      most = std::max(most, contains(object.shape.polygon, p) ? distance : -distance);
-    }
-    return most;
   }
 
   void share(size_t k, const std::vector<uint32_t>& points,

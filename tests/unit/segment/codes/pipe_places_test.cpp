@@ -16,17 +16,17 @@ using namespace jalon::test;
 namespace {
 
 /// The outer half of a pipe of 38 mm about (10, 5), and a wall 10 cm behind its axis.
-CloudPtr half_pipe(uint64_t seed) {
+CloudPtr half_pipe(uint64_t seed, int on_pipe = 2000, int on_wall = 3000, double wall_y = 5.1) {
   RandomStream random(seed, 0);
   std::vector<Vec3> points;
   const double half_turn = std::acos(-1.0);
-  for (int i = 0; i < 2000; ++i) {
+  for (int i = 0; i < on_pipe; ++i) {
     const double angle = half_turn * random.uniform(), r = 0.038 + 0.002 * random.normal();
     points.push_back({10 + r * std::cos(angle), 5 - r * std::sin(angle), 2.8 * random.uniform()});
   }
-  for (int i = 0; i < 3000; ++i)
+  for (int i = 0; i < on_wall; ++i)
     points.push_back(
-        {9.5 + random.uniform(), 5.1 + 0.002 * random.normal(), 2.8 * random.uniform()});
+        {9.5 + random.uniform(), wall_y + 0.002 * random.normal(), 2.8 * random.uniform()});
   return cloud_of(points);
 }
 
@@ -45,6 +45,22 @@ TEST_CASE("pipe_places__are_where_the_points_are") {
       CHECK(std::fabs(places[0].circle.radius - 0.038) < 0.002);
       CHECK(std::hypot(places[0].circle.centre.u + all.origin.x - 10,
                        places[0].circle.centre.v + all.origin.y - 5) < 0.003);
+    }
+}
+
+TEST_CASE("pipe_places__a_wall_more_densely_scanned_than_its_pipe_does_not_draw_it") {
+  const std::string building =
+      "4;0;5.05;3;300.2\n5;20;5.05;3;300.4\n6;20;15;3;300.4\n7;0;15;3;300.4\n8;0;5.05;0;300.4\n";
+  for (uint64_t seed = 1; seed <= 5; ++seed)
+    for (const double off : {0.0, 0.03}) {
+      const std::string y = text_of(5 - off, 3);
+      const CodedObjects all = surveyed(building + "1;10;" + y + ";0;408\n2;10.038;" + y +
+                                        ";0;409\n3;10;" + y + ";2.8;410\n");
+      Task task;
+      const auto places = pipe_places(*half_pipe(seed, 300, 60000, 5.045), all, task);
+      REQUIRE(places.size() == 1);
+      CHECK(std::fabs(places[0].off_m - off) < 0.003);
+      CHECK(std::fabs(places[0].circle.radius - 0.038) < 0.002);
     }
 }
 
