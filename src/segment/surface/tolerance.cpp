@@ -68,16 +68,18 @@ LocalSpread local_spread(const Cloud& cloud, const Octree& tree, uint32_t k, Tas
 
 // A plane's half-thickness in sigmas of its points, as the parameter's help says: 99.7 % of them.
 constexpr double kSigmasOfTolerance = 3;
+constexpr double kMostNoise_m =
+    0.25;  // ten times the default tolerance; more is another unit (3 mm taken for 3 m)
 
 /// The default, or what noise needs that is more than the default was chosen for (scanners on vehicles, in the hand).
 Tolerance no_less_than_noise(const Cloud& cloud, const Octree& tree, const RansacSettings& settings,
                              Task& task) {
   const Tolerance plain{settings.surface.distance_tolerance_m, settings.tolerance.sigma_m};
   if (plain.distance_tolerance_m != SurfaceSettings{}.distance_tolerance_m) return plain;
-  const double noise = std::min(surface_noise_m(cloud, tree, task), kMostTolerance_m);
+  const double noise = surface_noise_m(cloud, tree, task);
   const double tolerance = kSigmasOfTolerance * noise;
-  if (tolerance <= plain.distance_tolerance_m) return plain;
-  return {std::min(tolerance, kMostTolerance_m), noise};
+  if (tolerance <= plain.distance_tolerance_m || noise > kMostNoise_m) return plain;
+  return {tolerance, noise};
 }
 
 }  // namespace

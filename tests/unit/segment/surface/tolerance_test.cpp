@@ -11,10 +11,11 @@ using namespace jalon::test;
 
 namespace {
 
-CloudPtr noisy_wall(double sigma_m) {
+CloudPtr noisy_wall(double sigma_m, double unit_m = 1) {
   Scene scene;
   RandomStream random(1, 7);
-  scene.rectangle(1, {0, 0, 0}, {4, 0, 0}, {0, 0, 3}, 8000, sigma_m, random);
+  scene.rectangle(1, {0, 0, 0}, {4 / unit_m, 0, 0}, {0, 0, 3 / unit_m}, 8000, sigma_m / unit_m,
+                  random);
   return cloud_of(scene.points);
 }
 
@@ -75,4 +76,12 @@ TEST_CASE("tolerance_of__auto_is_the_default_on_an_exact_scan_and_wider_on_a_noi
   settings.surface.distance_tolerance_m = least;
   settings.tolerance.tolerance_from = ToleranceSource::kHand;
   CHECK(tolerance(0.03).distance_tolerance_m == least);
+}
+
+TEST_CASE("tolerance_of__auto_takes_a_scan_in_millimetres_for_no_noisy_one_in_metres") {
+  const auto cloud = noisy_wall(0.003, 0.001);
+  Task task;
+  const RansacSettings settings;
+  CHECK(tolerance_of(*cloud, *cloud->octree(task), settings, task).distance_tolerance_m ==
+        settings.surface.distance_tolerance_m);
 }
