@@ -24,6 +24,7 @@ constexpr double kMostAside2 = 6;
 constexpr double kNoiseSpread = 1.25;
 constexpr double kRough = 0.25;       // scatter over radius: no plane
 constexpr double kMadSigma = 1.4826;  // median of |z| to a standard deviation
+constexpr double kExplained2 = 4;     // variances that a bend may leave: 95 %
 constexpr double kMarginSigmas = 4;   // of noise, about a surface that was seen
 
 /// A plane that is as wide as its points are rough is none, nor is one row of points under grazing rays, which noise
@@ -47,7 +48,13 @@ struct Offset {
   double distance_m = 0, variance_m2 = 0;
 };
 
-/// Of a core from a surface of the other epoch beside it. Along the surface's normal a curved one that did not move
+/// Of a core from the plane of the other epoch beside it.
+Offset offset_from_plane(const SurfaceCore& core, const SurfaceCore& surface) {
+  return {dot(surface.normal, core.centroid - surface.centroid),
+          core.height_variance() + surface.variance_at(core.centroid)};
+}
+
+/// The same for one curved surface that did not move. Along the surface's normal a curved one that did not move
 /// has one, by the bend between both; along the mean of both normals it has none to second order (Rusinkiewicz 2019,
 /// the symmetric objective of ICP), but the core's own normal brings its scatter. So the correction counts by what of
 /// it the scatter of the normals does not explain (the positive part of James & Stein 1961): none of it on a plane.
@@ -90,13 +97,16 @@ class Tester {
           std::abs(dot(surface.normal, core.normal)) < kSameFacing)
         continue;
       if (surface.aside2(core.centroid) > kMostAside2) continue;
-      const Offset off = offset_of(core, surface);
+      const double rest = shape2(core, noise_m_) + shape2(surface, noise_m_) +
+                          rates_.alignment_m * rates_.alignment_m;
+      Offset off = offset_of(core, surface);
+      if (off.distance_m * off.distance_m > kExplained2 * (off.variance_m2 + rest))
+        off = offset_from_plane(core, surface);
       if (out.has_surface && std::abs(off.distance_m) >= std::abs(out.distance_m)) continue;
       out.has_surface = true;
       out.surface = found[k].index;
       out.distance_m = off.distance_m;
-      out.sigma_m = std::sqrt(off.variance_m2 + shape2(core, noise_m_) + shape2(surface, noise_m_) +
-                              rates_.alignment_m * rates_.alignment_m);
+      out.sigma_m = std::sqrt(off.variance_m2 + rest);
     }
     return out;
   }
