@@ -102,6 +102,14 @@ ends 2 'the alignment has 0 to 10 m' sections hall.xyz -o none --alignment axis.
 ends 2 'above --to' cut cube.xyz -o none.xyz --polygon-file square.txt --from 2 --to 1
 ends 3 'nowhere.txt' cut cube.xyz -o none.xyz --polygon-file nowhere.txt
 
+# A scan as noisy as those from vehicles: the tool tells the tolerance it takes, finds every opening, and takes what is set.
+judge "a noisy facade is scanned" "$jalon" scan --scene facade -o noisy.las --quiet --set max_points=100000 --set range_noise_m=0.02
+says '1 wall, 19 window, 2 door' facade noisy.las -o noisy
+says 'noise of 1[5-9] mm: planes were found with a tolerance of [45][0-9] mm instead of 25; --tolerance sets it' facade noisy.las -o noisy
+lacks 'noise of' segment noisy.las -o noisy_set --tolerance 0.06
+says 'noise of' segment noisy.las -o noisy_all --compare-methods
+lacks 'noise of' facade grammar.las -o quiet
+
 # What is no facade gets a line of advice, a status and no files.
 judge "a bent wall is scanned" "$jalon" scan --scene bow -o bow.las --quiet --set horizontal_step_rad=0.004 --set vertical_step_rad=0.004
 judge "a room is scanned" "$jalon" scan --scene room -o room.las --quiet --set horizontal_step_rad=0.01 --set vertical_step_rad=0.01

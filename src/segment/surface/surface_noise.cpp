@@ -25,12 +25,6 @@ constexpr double kSurfaceWidths = 8, kLeastSurfaceWidths = 3;
 constexpr double kLeastKindShare = 0.1;  // of the neighbourhoods, for a kind to count
 constexpr double kUpright = 0.5;  // largest |z| of the normal: within 30 degrees of the vertical
 
-/// A neighbourhood's variances across it and along its narrower side.
-struct Spread {
-  double across = 0, along = 0;
-  bool upright = false;
-};
-
 /// The value below which this share lies.
 double value_at(std::vector<double> values, double share) {
   const double rank = share * static_cast<double>(values.size());
@@ -45,27 +39,6 @@ double quartile_of_variances(double dof) {
   const double variance = 2 / (9 * std::max(dof, 1.0));
   const double root = 1 - variance - kNormalQuartile * std::sqrt(variance);
   return root * root * root;
-}
-
-std::vector<Spread> spreads(const Cloud& cloud, const Octree& tree, uint32_t k, Task& task) {
-  std::vector<Spread> out(std::min(kNoiseSamples, tree.size()));
-  parallel_for(task, out.size(), kNoiseSamplesPerChunk, [&](size_t begin, size_t end) {
-    std::vector<Neighbour> near(k);
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 query = cloud.point(tree.order()[i * tree.size() / out.size()]);
-      const size_t found = tree.knn(query, k, near);
-      if (found <= 3) continue;
-      Moments moments;
-      moments.reference = query;
-      for (size_t j = 0; j < found; ++j) moments.add(cloud.point(near[j].index));
-      const Eigen3 eigen = symmetric_eigen(moments.covariance());
-      // covariance() divides by n; least squares leaves n - 3 degrees of freedom.
-      const double n = static_cast<double>(found);
-      out[i] = {std::max(0.0, eigen.values[0]) * n / (n - 3), std::max(0.0, eigen.values[1]),
-                std::fabs(eigen.vectors[0].z) < kUpright};
-    }
-  });
-  return out;
 }
 
 /// The noise of one kind of surfaces, where neighbourhoods of this size show it; 0: there are hardly any.
@@ -88,10 +61,31 @@ std::optional<double> noise_of_kind(const std::vector<Spread>& all, size_t neigh
 
 }  // namespace
 
+std::vector<Spread> neighbourhood_spreads(const Cloud& cloud, const Octree& tree, uint32_t k,
+                                          size_t samples, Task& task) {
+  std::vector<Spread> out(std::min(samples, tree.size()));
+  parallel_for(task, out.size(), kNoiseSamplesPerChunk, [&](size_t begin, size_t end) {
+    std::vector<Neighbour> near(k);
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 query = cloud.point(tree.order()[i * tree.size() / out.size()]);
+      const size_t found = tree.knn(query, k, near);
+      Moments moments;
+      moments.reference = query;
+      for (size_t j = 0; j < found; ++j) moments.add(cloud.point(near[j].index));
+      const Eigen3 eigen = symmetric_eigen(moments.covariance());
+      // covariance() divides by n; least squares leaves n - 3 degrees of freedom.
+      const double n = static_cast<double>(found);
+      out[i] = {found > 3 ? std::max(0.0, eigen.values[0]) * n / (n - 3) : 0,
+                std::max(0.0, eigen.values[1]), std::fabs(eigen.vectors[0].z) < kUpright};
+    }
+  });
+  return out;
+}
+
 double surface_noise_m(const Cloud& cloud, const Octree& tree, Task& task) {
   std::array<std::optional<double>, 2> noise;
   for (const uint32_t k : kNoiseNeighbours) {
-    const std::vector<Spread> all = spreads(cloud, tree, k, task);
+    const std::vector<Spread> all = neighbourhood_spreads(cloud, tree, k, kNoiseSamples, task);
     const bool last = k == kNoiseNeighbours.back() || k >= tree.size();
     for (const bool upright : {false, true})
       if (!noise[upright])

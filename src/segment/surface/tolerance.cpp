@@ -7,9 +7,6 @@
 #include <vector>
 
 #include "base/distributions.h"
-#include "base/parallel.h"
-#include "geometry/plane.h"
-#include "geometry/symmetric_eigen.h"
 #include "segment/surface/surface_noise.h"
 
 namespace jalon {
@@ -18,7 +15,6 @@ namespace {
 
 constexpr size_t kSamples =
     8192;  // the median of a scene with half its points on planes is right to 2 %
-constexpr size_t kSamplesPerChunk = 128;
 constexpr uint32_t kLeastNeighbours = 32, kMostNeighbours = 256;
 // The neighbourhood's rms width against the noise: at 8, the plane follows the noise by 1 / (2 x 8^2), under 1 %.
 constexpr double kWidths = 8;
@@ -45,23 +41,11 @@ double median(std::vector<double>& values) {
 }
 
 LocalSpread local_spread(const Cloud& cloud, const Octree& tree, uint32_t k, Task& task) {
-  const size_t samples = std::min(kSamples, tree.size());
-  std::vector<double> across(samples), along(samples);
-  parallel_for(task, samples, kSamplesPerChunk, [&](size_t begin, size_t end) {
-    std::vector<Neighbour> near(k);
-    for (size_t i = begin; i < end; ++i) {
-      const Vec3 query = cloud.point(tree.order()[i * tree.size() / samples]);
-      const size_t found = tree.knn(query, k, near);
-      Moments moments;
-      moments.reference = query;
-      for (size_t j = 0; j < found; ++j) moments.add(cloud.point(near[j].index));
-      const Eigen3 eigen = symmetric_eigen(moments.covariance());
-      // covariance() divides by n; least squares leaves n - 3 degrees of freedom.
-      const double n = static_cast<double>(found);
-      across[i] = found > 3 ? std::max(0.0, eigen.values[0]) * n / (n - 3) : 0;
-      along[i] = std::max(0.0, eigen.values[1]);
-    }
-  });
+  std::vector<double> across, along;
+  for (const Spread& spread : neighbourhood_spreads(cloud, tree, k, kSamples, task)) {
+    across.push_back(spread.across);
+    along.push_back(spread.along);
+  }
   const double dof = static_cast<double>(std::min<size_t>(k, tree.size())) - 3;
   return {median(across) / (dof > 0 ? median_of_variances(dof) : 1), median(along)};
 }
