@@ -92,7 +92,8 @@ struct ModelJob {
     const Cloud cloud = input.read(console);
     notes["times"]["read"] = console.seconds();
     files.note_scanner(cloud.get(), notes);
-    notes["input"]["unit"] = Lengths::of(input, cloud).in_report();
+    const Lengths lengths = Lengths::of(input, cloud);
+    notes["input"]["unit"] = lengths.in_report();
     console.step("segments");
     const Segmentation segmentation = segments(console, cloud, tools);
     notes["times"]["segment"] = console.seconds();
@@ -111,6 +112,10 @@ struct ModelJob {
     must(jalon_params_to_json(tools.modeller_params.get(), &parameters));
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
+    if (labels.empty())
+      if (const std::string note = noise_note(tools.segmenter.get(), segmentation.get(), lengths);
+          !note.empty())
+        console.say(note);
     if (const std::string note = front_note(segmentation.get()); !note.empty()) console.say(note);
     console.result({{"input", input.path},
                     {"points", count_of(cloud)},
