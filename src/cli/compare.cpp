@@ -264,6 +264,7 @@ struct Compare {
     Direction forward = run_to(console, worker, before, after), reverse;
     if (plan.both) reverse = run_to(console, worker, after, before);
     require_compared(forward, reverse);
+    warn_of_misalignment(console, *forward.summary);
     const Json third = extras.use_third_epoch(console, worker.get(), after.cloud, forward);
     if (of_scans)
       plan.shadows = said_of_shadows(before.cloud, params, *forward.summary,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "formats/files/single_precision.h"
 #include "formats/files/station_file.h"
 #include "formats/files/utf8.h"
 #include "formats/chosen_format.h"
@@ -192,8 +193,10 @@ Cloud read_cloud(const std::string& path, const ReadSettings& settings, Task& ta
            "levels; "
            "read this one whole and subsample it",
            path.c_str());
-    Cloud cloud = with_station_file(format.read_cloud(source, settings, task), source.path(),
-                                    !has_levels || settings.reads_all(), task);
+    Cloud cloud = format.read_cloud(source, settings, task);
+    warn_of_single_precision(cloud, source.path(), task);
+    cloud = with_station_file(std::move(cloud), source.path(), !has_levels || settings.reads_all(),
+                              task);
     if (!format.knows_units) cloud = in_metres(std::move(cloud), settings.unit, task);
     return wanted_points(std::move(cloud), source.path(), settings, task);
   }

@@ -41,6 +41,9 @@ void refuse_apart(const Console& console, const Placed& reference, const Placed&
 std::string said_of_shadows(const Cloud& reference, const Params& params, const Table& forward,
                             const Table* reverse);
 
+/// Warns where most surfaces differ by more than noise: one line with by how much, and what to do.
+void warn_of_misalignment(const Console& console, const Table& summary);
+
 /// The distance beyond which a point has changed; 0 where tests of its own or a field tell what has. summary: of the
 /// comparison.
 double deciding_threshold(const Table& summary, const Params& change_options);

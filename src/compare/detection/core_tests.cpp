@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "base/parallel.h"
 #include "compare/detection/false_discovery.h"
@@ -22,10 +24,18 @@ constexpr double kSameFacing = 0.866;       // cosine of 30 degrees
 constexpr double kMostAside2 = 6;
 // Scatter beyond so many times the noise is shape, which more points do not average out.
 constexpr double kNoiseSpread = 1.25;
-constexpr double kRough = 0.25;       // scatter over radius: no plane
-constexpr double kMadSigma = 1.4826;  // median of |z| to a standard deviation
-constexpr double kExplained2 = 4;     // variances that a bend may leave: 95 %
-constexpr double kMarginSigmas = 4;   // of noise, about a surface that was seen
+constexpr double kRough = 0.25;              // scatter over radius: no plane
+constexpr double kMadSigma = 1.4826;         // median of |z| to a standard deviation
+constexpr size_t kMisalignmentCores = 8192;  // the median of their deviates is right to 1 %
+constexpr double kPartsAlong = 8;            // of the scene's longest side
+constexpr size_t kLeastOfPart = 10;          // cores, for their median
+// Of |z|: the share below, and how many sigmas. The greater counts, for few stations err in few ways, and a quarter of
+// the scene may really have changed.
+constexpr std::array<std::pair<double, double>, 2> kNormalQuantiles{
+    {{0.5, 0.6745}, {0.75, 1.1503}}};
+constexpr int kMisalignmentHalvings = 24;  // of metres: to a micrometre
+constexpr double kExplained2 = 4;          // variances that a bend may leave: 95 %
+constexpr double kMarginSigmas = 4;        // of noise, about a surface that was seen
 
 /// A plane that is as wide as its points are rough is none, nor is one row of points under grazing rays, which noise
 /// alone spreads along them. A disc of points ends at 2 standard deviations.
@@ -166,6 +176,8 @@ class Tester {
   double noise_m_;
 };
 
+/// Standard deviation of the deviates of all cores, by their median: what is common to most is no change (the
+/// empirical null of Efron 2004).
 double null_scale(const Tester& tester, const std::vector<CoreTest>& cores) {
   std::vector<double> sizes;
   for (const CoreTest& test : cores)
@@ -173,7 +185,78 @@ double null_scale(const Tester& tester, const std::vector<CoreTest>& cores) {
   if (sizes.empty()) return 1;
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::nth_element(sizes.begin(), middle, sizes.end());
-  return std::max(1.0, kMadSigma * *middle);
+  return kMadSigma * *middle;
+}
+
+// The standard deviation that added to theirs makes the deviates of these cores what they should be.
+double common_error_m(const Tester& tester, const std::vector<CoreTest>& cores, Task& task) {
+  double most = 0;
+  for (const CoreTest& test : cores) most = std::max(most, std::abs(test.distance_m));
+  const auto scale_with = [&](double common_m) {
+    std::vector<CoreTest> with = cores;
+    for (CoreTest& test : with) test.sigma_m = std::hypot(test.sigma_m, common_m);
+    return null_scale(tester, with);
+  };
+  if (cores.empty() || scale_with(0) <= 1) return 0;
+  double low = 0, high = most;
+  for (int halving = 0; halving < kMisalignmentHalvings; ++halving) {
+    task.checkpoint(0);
+    const double middle = (low + high) / 2;
+    (scale_with(middle) > 1 ? low : high) = middle;
+  }
+  return high;
+}
+
+/// How far parts of surfaces lie apart, ascending: the medians of cores of a cell that face the same way. A scan's
+/// errors are those of few stations, so neighbours err alike, and cores alone would let the largest surface speak for
+/// all.
+std::vector<double> part_offsets(const SurfaceCores& reference, const SurfaceCores& compared,
+                                 const std::vector<CoreTest>& tests) {
+  Box3 box;
+  for (size_t k = 0; k < tests.size(); ++k)
+    if (tests[k].has_surface) box.add(compared[k].centroid);
+  if (box.empty()) return {};
+  const Vec3 size = box.max - box.min;
+  const double cell = std::max({size.x, size.y, size.z, 1e-9}) / kPartsAlong;
+  std::map<std::array<int, 4>, std::vector<double>> parts;
+  for (size_t k = 0; k < tests.size(); ++k) {
+    if (!tests[k].has_surface) continue;
+    const Vec3 at = (compared[k].centroid - box.min) / cell;
+    const Vec3& normal = reference[tests[k].surface].normal;
+    int axis = 0;
+    for (int c = 1; c < 3; ++c)
+      if (std::abs(normal[c]) > std::abs(normal[axis])) axis = c;
+    const double side = normal[axis] < 0 ? -1 : 1;
+    parts[{static_cast<int>(at.x), static_cast<int>(at.y), static_cast<int>(at.z), axis}].push_back(
+        side * tests[k].distance_m);
+  }
+  std::vector<double> out;
+  for (auto& [key, offsets] : parts) {
+    if (offsets.size() < kLeastOfPart) continue;
+    const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+    std::nth_element(offsets.begin(), middle, offsets.end());
+    out.push_back(std::abs(*middle));
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+// Step 2.
+double misalignment_m(const Tester& tester, const SurfaceCores& reference,
+                      const SurfaceCores& compared, const std::vector<CoreTest>& tests,
+                      Task& task) {
+  const size_t step = (tests.size() + kMisalignmentCores - 1) / kMisalignmentCores;
+  std::vector<CoreTest> sample;
+  for (size_t k = 0; k < tests.size(); k += step)
+    if (tests[k].has_surface) sample.push_back(tests[k]);
+  double out = common_error_m(tester, sample, task);
+  if (out == 0) return 0;  // registered to their noise
+  const std::vector<double> parts = part_offsets(reference, compared, tests);
+  for (const auto& [share, sigmas] : kNormalQuantiles)
+    if (!parts.empty())
+      out = std::max(
+          out, parts[static_cast<size_t>(share * static_cast<double>(parts.size()))] / sigmas);
+  return out;
 }
 
 }  // namespace
@@ -189,8 +272,11 @@ CoreTests test_cores(const SurfaceCores& reference, const SurfaceCores& compared
   parallel_for(task, out.cores.size(), kTestGrain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) out.cores[k] = tester.measured(compared[k]);
   });
-  // 2, 3.
-  out.null_scale = null_scale(tester, out.cores);
+  // 2.
+  out.misalignment_m = misalignment_m(tester, reference, compared, out.cores, task);
+  for (CoreTest& test : out.cores) test.sigma_m = std::hypot(test.sigma_m, out.misalignment_m);
+  out.null_scale = std::max(1.0, null_scale(tester, out.cores));
+  // 3.
   std::vector<double> p_values;
   for (const CoreTest& test : out.cores)
     if (test.has_surface) p_values.push_back(normal_p_value(tester.z_of(test, out.null_scale)));

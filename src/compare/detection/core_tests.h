@@ -33,6 +33,8 @@ struct DetectionRates {
 struct CoreTests {
   std::vector<CoreTest> cores;
   double noise_m = 0;
+  /// Standard deviation by which most surfaces differ beside their own: in sigma_m of all.
+  double misalignment_m = 0;
   /// Spread of the deviates of all cores over what noise predicts, at least 1 (the empirical null of Efron 2004):
   /// misalignment and roughness that most of the scene shares are no change.
   double null_scale = 1;
@@ -41,8 +43,11 @@ struct CoreTests {
 };
 
 /// 1. The distance of each core from the reference's surface at its foot, with its sigma by noise, by the lever of the
-/// plane and by what does not average out (roughness, edges); 2. the empirical null; 3. which are significant, at this
-/// rate of false discoveries; 4. cores without such a surface: explained by the spacing of the points, seen through, or
+/// plane and by what does not average out (roughness, edges); 2. the variance between the epochs that most surfaces
+/// share, which is added to theirs as in a random-effects model (Paule & Mandel 1982, by quantiles of cores and of
+/// parts of surfaces in place of the mean square): a few millimetres between scans are a matter of their alignment, not
+/// of each surface's points; then what is left of the empirical null; 3. which are significant, at this rate of false
+/// discoveries; 4. cores without such a surface: explained by the spacing of the points, seen through, or
 /// not to be told.
 /// nearest_m: distance of each compared point from the reference's nearest. sights: of the reference; null: unknown.
 CoreTests test_cores(const SurfaceCores& reference, const SurfaceCores& compared,

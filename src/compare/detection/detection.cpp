@@ -100,6 +100,9 @@ void add_choice(const CoreTests& tests, uint64_t stations, double rate, FieldTab
   add_value<double>(summary, "null_scale", "1",
                     "by which unchanged surfaces differ more than noise explains",
                     tests.null_scale);
+  add_value<double>(summary, "misalignment", "m",
+                    "by which most surfaces differ beside noise, in all levels of detection",
+                    tests.misalignment_m);
   add_value<double>(summary, "limit_sigmas", "1",
                     "beyond which a surface has moved, by the rate of false discoveries",
                     tests.limit_sigmas);

@@ -62,7 +62,7 @@ std::vector<Vec3> rows_before_wall(uint64_t seed) {
   return points;
 }
 
-size_t moved_cores(const std::vector<Vec3>& was, const std::vector<Vec3>& is) {
+CoreTests tests_of(const std::vector<Vec3>& was, const std::vector<Vec3>& is) {
   Task task;
   const Cloud before = cloud_of(was), after = cloud_of(is);
   const auto tree = before.octree(task);
@@ -73,13 +73,52 @@ size_t moved_cores(const std::vector<Vec3>& was, const std::vector<Vec3>& is) {
     nearest_m.push_back(std::sqrt(found[0].squared_distance));
   }
   const SurfaceCores reference(before, {}, task), compared(after, {}, task);
-  const CoreTests tests = test_cores(reference, compared, nearest_m, nullptr, {}, {}, task);
+  return test_cores(reference, compared, nearest_m, nullptr, {}, {}, task);
+}
+
+size_t moved_cores(const std::vector<Vec3>& was, const std::vector<Vec3>& is) {
+  const CoreTests tests = tests_of(was, is);
   return static_cast<size_t>(
       std::count_if(tests.cores.begin(), tests.cores.end(),
                     [](const CoreTest& test) { return test.state == CoreState::kMoved; }));
 }
 
+/// Twelve walls side by side and a thirteenth, each moved across by its own error.
+std::vector<Vec3> walls(uint64_t seed, double misfit_m, double last_moved_m = 0) {
+  constexpr double kSpacing_m = 0.03;
+  RandomStream random(seed, 0), errors(seed, 1);
+  std::vector<Vec3> points;
+  for (int wall = 0; wall < 13; ++wall) {
+    const double across = misfit_m * errors.normal() + (wall == 12 ? last_moved_m : 0);
+    for (double x = 0; x < 2; x += kSpacing_m)
+      for (double z = 0; z < 2; z += kSpacing_m)
+        points.push_back({3 * wall + x, 12 + across + kNoise_m * random.normal(), z});
+  }
+  return points;
+}
+
 }  // namespace
+
+TEST_CASE("core_tests__walls_that_stations_of_other_misfits_saw_have_not_moved") {
+  for (uint64_t seed = 41; seed <= 46; ++seed) {
+    const CoreTests tests = tests_of(walls(2 * seed, 0.005), walls(2 * seed + 1, 0.005));
+    CHECK(tests.misalignment_m > 0.003);  // sqrt 2 x 5 mm, of thirteen walls
+    CHECK(tests.misalignment_m < 0.014);
+    CHECK(tests.null_scale < 1.1);
+    CHECK(std::ranges::count_if(tests.cores, [](const CoreTest& test) {
+            return test.state == CoreState::kMoved;
+          }) == 0);
+  }
+}
+
+TEST_CASE("core_tests__what_moved_farther_than_the_misfits_is_found_among_them") {
+  size_t found = 0;
+  for (uint64_t seed = 51; seed <= 56; ++seed)
+    found += moved_cores(walls(2 * seed, 0.003), walls(2 * seed + 1, 0.003, 0.08)) > 50 ? 1 : 0;
+  CHECK(found == 6);
+  const CoreTests aligned = tests_of(walls(61, 0), walls(62, 0, 0.01));
+  CHECK(aligned.misalignment_m < 0.0003);
+}
 
 TEST_CASE("core_tests__a_curved_surface_sampled_at_other_places_has_not_moved") {
   size_t moved = 0;
