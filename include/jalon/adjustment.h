@@ -12,7 +12,8 @@
  *     n . (Q + d_b - P(T)) + o_f + o_s = 0
  *
  * solved as Gauss-Helmert model without parameters (Mikhail 1976) by its sparse normal equations. What may move is
- * said by sigmas alone: a sure model locates the drive, a sure drive updates the model. Heights and attitudes stay.
+ * said by sigmas alone: a sure model locates the drive, a sure drive updates the model. Heights stay, and
+ * attitudes do unless they are said to have a constant error.
  *
  * An adjustment is immutable and may be read by many threads.
  */
@@ -64,9 +65,13 @@ enum {
  * 4. The adjustment. "set_back" = behind keeps walls at their facades as given or behind them, as where eaves were
  *    digitised (least squares with bounds by an active set; Lawson & Hanson 1974; standard deviations are those
  *    without the bound, which are greater). "strip_correlation_m": offsets of a facade's strips hang together, by
- *    exp(-distance / length). "control_points": points seen at known times whose place is known hold the drive in
- *    plan, two conditions each. From the sixth pass on a point whose match still changes is left out, so that passes
- *    do not go to and fro between two answers.
+ *    exp(-distance / length). "sigma_roll_bias_rad", "sigma_pitch_bias_rad" and "sigma_heading_bias_rad": the
+ *    inertial unit sits turned in the vehicle, by one small turn b about the vehicle's own axes: sum_k t_k b_k joins
+ *    the condition, t_k the mean of -n . ((R e_k) x (P - T)). Passes make them whole turns; a small turn
+ *    and a small shift are told apart only by drives both ways, or by sigmas. "control_points": points seen at known
+ *    times whose place is known hold the drive in plan, two conditions each; what a turn does to them is left out.
+ *    From the sixth pass on a point whose match still changes is left out, so that passes do not go to and fro
+ *    between two answers.
  *
  * Same bits whatever the threads. Not converged is a result that says so. O(points log strips) a pass, and linear in
  * strips and control times.
@@ -101,6 +106,9 @@ JALON_API void jalon_adjustment_release(jalon_adjustment* adjustment);
  *     weak_direction  float64 x 2  1     level unit vector that the strips' normals hold least
  *     weak_share      float64      1     how much: of their squares along the direction held best
  *     weak_is_held    uint8        -     0: below 0.01, as along a straight street: nothing is known along it
+ *     attitude_bias   float64 x 3  rad   turn b about the vehicle's axes x, y, z (roll, pitch, heading): its rotation
+ *                                        is R Exp(b), not R; 0: not adjusted
+ *     attitude_bias_sigma  float64 x 3  rad  standard deviations
  *     wrong_strips    float64      1     share of the matches that count which the cloud's field "strip" (uint32)
  *                                        contradicts; NaN without the field
  *     wrong_facades   float64      1     share of those to another facade
@@ -174,10 +182,11 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_matches(const jalon_adjustme
 /**
  * The covariance of control positions and blocks, with the parameter "covariance" (else
  * JALON_ERROR_INVALID_ARGUMENT): a row and a component for each unknown, control positions east, then north, blocks
- * east, then north; at most 4096 (JALON_ERROR_LIMIT).
+ * east, then north, and the three turns of the vehicle where they are adjusted (rad for m); at most 4096
+ * (JALON_ERROR_LIMIT).
  *     column      type         unit  meaning
- *     group       uint8        -     0: control position, 1: block
- *     axis        uint8        -     0: east, 1: north
+ *     group       uint8        -     0: control position, 1: block, 2: turn
+ *     axis        uint8        -     0: east, 1: north; of turns 0: roll, 1: pitch, 2: heading
  *     number      uint32       -     of the control position or block
  *     covariance  float64 x n  m2    with each unknown, in the order of the rows
  */
@@ -189,7 +198,7 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_parameters(const jalon_adjus
 
 /**
  * The adjusted trajectory: all epochs as they were given, corrected, with the standard deviations of x and y that
- * they have now.
+ * they have now. Attitudes are turned by "attitude_bias" and keep their standard deviations.
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_trajectory(const jalon_adjustment* adjustment,
                                                                jalon_trajectory** out);
@@ -219,9 +228,9 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_trajectory(const jalon_adjus
 JALON_API JALON_CHECK jalon_status jalon_adjustment_model(const jalon_adjustment* adjustment,
                                                           jalon_model** out);
 /**
- * A new cloud: one of the drive ("time", float64), with its points and "beam_origin" where the adjusted trajectory
- * puts them; beyond its ends they move as the ends do. In "covariance" and "point_sigma" the variances of the
- * trajectory's position, x and y, are those it has now. O(n), parallel.
+ * A new cloud: one of the drive ("time", float64), with its points, "beam_origin" and "beam_direction" where the
+ * adjusted trajectory puts them; beyond its ends they move as the ends do. In "covariance" and "point_sigma" the
+ * variances of the trajectory's position, x and y, are those it has now. O(n), parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_apply(const jalon_adjustment* adjustment,
                                                           const jalon_cloud* cloud,

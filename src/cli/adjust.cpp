@@ -97,6 +97,17 @@ struct Adjust {
     const double n = 2 * static_cast<double>(controls.rows());
     console.say("trajectory: corrected by up to " + fixed(moved, 3) + " m, sigma " +
                 fixed(before / n, 3) + " m before, " + fixed(after / n, 3) + " m after");
+    if (summary.number("attitude_bias_sigma", 0, 0) + summary.number("attitude_bias_sigma", 0, 1) +
+            summary.number("attitude_bias_sigma", 0, 2) >
+        0) {
+      std::string angles;
+      constexpr double kDegree = 57.29577951308232;
+      for (uint32_t k = 0; k < 3; ++k)
+        angles += std::string(k > 0 ? ", " : " ") +
+                  fixed(kDegree * summary.number("attitude_bias", 0, k), 4) + " +- " +
+                  fixed(kDegree * summary.number("attitude_bias_sigma", 0, k), 4);
+      console.say("roll, pitch, heading: off by" + angles + " degrees");
+    }
     const double p = summary.number("p_value", 0);
     constexpr double kRare = 0.001;
     console.say("test of the model: chi-square " + fixed(summary.number("chi_square", 0), 1) +

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "accuracy/seed_range.h"
+#include "base/random.h"
+#include "registration/joint/attitude_bias.h"
 #include "registration/joint/joint_adjustment.h"
 #include "model/buildings/building_tree.h"
 #include "model/part_classes.h"
@@ -57,6 +59,7 @@ struct DriveKind {
   bool corner = true, there_and_back = false;
   double mask_sigma_m = 0;  ///< of the positions amid a gap of satellites; 0: none
   double noise_range_m = 0.005;
+  Vec3 sigma_attitude_rad;  ///< of constant errors about the vehicle's axes
 };
 
 /// Turns at the end, within four seconds, and drives back.
@@ -116,6 +119,14 @@ inline void cover_kerbs(Model& scene, double leg_m, bool corner, double share) {
   }
 }
 
+/// How far the attitudes of a drive are off: by a constant, about the vehicle's axes.
+inline Vec3 attitude_error(const DriveKind& kind) {
+  RandomStream random(kind.seed, 31);
+  Vec3 made;
+  for (int k = 0; k < 3; ++k) made[k] = kind.sigma_attitude_rad[k] * random.normal();
+  return made;
+}
+
 inline DriveScenario driven(const DriveKind& kind, Task& task) {
   // 1. The street, the drive, and what the model knows of them.
   StreetDriveSettings of;
@@ -153,7 +164,8 @@ inline DriveScenario driven(const DriveKind& kind, Task& task) {
   const std::vector<double> x = drawn(position_prior(controls, 0), kind.seed, 11),
                             y = drawn(position_prior(controls, 1), kind.seed, 12);
   for (size_t c = 0; c < x.size(); ++c) made.trajectory_errors.by_m.push_back({x[c], y[c]});
-  made.trajectory = corrected(made.true_trajectory, made.trajectory_errors);
+  made.trajectory =
+      turned(corrected(made.true_trajectory, made.trajectory_errors), attitude_error(kind));
   const auto values = [&](const char* name) { return truth.fields.require(name).values<double>(); };
   made.cloud = georeferenced(made.trajectory,
                              {values("time"), values("range"), values("theta"), values("phi")},

@@ -162,6 +162,47 @@ static void adjusted__by_control_points__is_nearer_and_no_wall_stands_before_its
   release_drive(&drive);
 }
 
+/* Attitudes that may be off by a constant: it is told with its sigmas, has rows of the covariance, turns the drive. */
+static void adjusted__with_attitude_biases__tells_them(void** state) {
+  (void)state;
+  Drive drive = drive_of(1);
+  jalon_params* options = NULL;
+  OK(jalon_params_create("adjust", &options));
+  OK(jalon_params_set_double(options, "sigma_heading_bias_rad", 0.01));
+  OK(jalon_params_set_bool(options, "covariance", 1));
+  jalon_adjustment* made = NULL;
+  OK(jalon_trajectory_adjust(drive.trajectory, drive.cloud, drive.model, options, NULL, &made));
+  jalon_fields *summary = NULL, *covariance = NULL, *given = NULL, *turned = NULL;
+  jalon_trajectory* after = NULL;
+  OK(jalon_adjustment_summary(made, &summary));
+  OK(jalon_adjustment_covariance(made, &covariance));
+  OK(jalon_adjustment_trajectory(made, &after));
+  OK(jalon_trajectory_epochs(drive.trajectory, &given));
+  OK(jalon_trajectory_epochs(after, &turned));
+  uint64_t n = 0, rows = 0, all = 0;
+  double *bias = column(summary, "attitude_bias", &n),
+         *sigma = column(summary, "attitude_bias_sigma", &n),
+         *group = column(covariance, "group", &rows), *axis = column(covariance, "axis", &rows),
+         *with_each = column(covariance, "covariance", &all), *was = column(given, "attitude", &n),
+         *is = column(turned, "attitude", &n);
+  assert_true(bias[0] == 0 && bias[1] == 0 && bias[2] != 0);
+  assert_true(sigma[0] == 0 && sigma[2] > 0 && sigma[2] <= 0.01);
+  assert_true(group[rows - 3] == 2 && group[rows - 4] == 1 && axis[rows - 1] == 2);
+  assert_true(fabs(sqrt(with_each[all - 1]) - sigma[2]) < 1e-9);
+  /* A level vehicle turns by its heading alone. */
+  assert_true(fabs(is[2] - was[2] - bias[2]) < 1e-9);
+  double* lists[] = {bias, sigma, group, axis, with_each, was, is};
+  for (int i = 0; i < 7; ++i) free(lists[i]);
+  jalon_fields_release(summary);
+  jalon_fields_release(covariance);
+  jalon_fields_release(given);
+  jalon_fields_release(turned);
+  jalon_trajectory_release(after);
+  jalon_adjustment_release(made);
+  jalon_params_release(options);
+  release_drive(&drive);
+}
+
 static void adjust__of_impossible_input__names_what_is_wrong(void** state) {
   (void)state;
   Drive drive = drive_of(5);
@@ -199,6 +240,7 @@ int main(void) {
       cmocka_unit_test(adjusted__by_a_sure_model__is_located),
       cmocka_unit_test(adjusted_cloud__follows_the_corrections),
       cmocka_unit_test(adjusted__by_control_points__is_nearer_and_no_wall_stands_before_its_eaves),
+      cmocka_unit_test(adjusted__with_attitude_biases__tells_them),
       cmocka_unit_test(adjust__of_impossible_input__names_what_is_wrong),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

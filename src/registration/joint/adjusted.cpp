@@ -7,6 +7,8 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "geometry/rigid_motion.h"
+#include "registration/joint/attitude_bias.h"
 #include "registration/joint/beam_fields.h"
 
 namespace jalon {
@@ -37,14 +39,28 @@ std::shared_ptr<Column> own_column(const Cloud& cloud, const char* name, uint32_
 // What moves with the points of a drive.
 struct MovedColumns {
   Buffer<double> xyz;
-  std::shared_ptr<Column> origin, covariance, sigma;
+  std::shared_ptr<Column> origin, direction, covariance, sigma;
 
   MovedColumns(const Cloud& cloud)
       : xyz(3 * cloud.size()),
         origin(own_column<double>(cloud, "beam_origin", 3)),
+        direction(own_column<float>(cloud, "beam_direction", 3)),
         covariance(own_column<float>(cloud, "covariance", 6)),
         sigma(own_column<float>(cloud, "point_sigma", 1)) {
     std::ranges::copy(cloud.xyz(), xyz.data());
+  }
+  // About where the inertial unit was, before anything is moved.
+  void turn(size_t i, const Vec3& centre, const Transform& by) {
+    const auto about = [&](double* p) {
+      const Vec3 to = centre + by.direction(Vec3{p[0], p[1], p[2]} - centre);
+      p[0] = to.x, p[1] = to.y, p[2] = to.z;
+    };
+    about(xyz.data() + 3 * i);
+    if (origin != nullptr) about(origin->values<double>().data() + 3 * i);
+    if (direction == nullptr) return;
+    float* d = direction->values<float>().data() + 3 * i;
+    const Vec3 to = by.direction({double{d[0]}, double{d[1]}, double{d[2]}});
+    for (int k = 0; k < 3; ++k) d[k] = static_cast<float>(to[k]);
   }
   void move(size_t i, const Vec2& by) {
     xyz[3 * i] += by.u, xyz[3 * i + 1] += by.v;
@@ -68,7 +84,7 @@ struct MovedColumns {
 }  // namespace
 
 Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajectory& given) {
-  Trajectory made = corrected(given, adjustment.trajectory);
+  Trajectory made = turned(corrected(given, adjustment.trajectory), adjustment.attitude_bias_rad);
   TimePlace at;
   for (size_t i = 0; i < made.size(); ++i) {
     at = time_place(adjustment.trajectory.times_s, made.times_s[i], i, at.epoch);
@@ -88,6 +104,9 @@ Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given,
   const auto times = time->values<double>();
   MovedColumns columns(cloud);
   const auto& controls = adjustment.trajectory.times_s;
+  const Vec3& bias = adjustment.attitude_bias_rad;
+  const bool turns = !(bias == Vec3{});
+  const PoseInterpolator poses(given);
   constexpr size_t kMoveGrain = 1 << 14;
   parallel_for(task, cloud.size(), kMoveGrain, [&](size_t begin, size_t end) {
     TimePlace at, pose;
@@ -97,6 +116,7 @@ Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given,
       const double t = std::clamp(times[i], controls.front(), controls.back());
       at = time_place(controls, t, i, at.epoch);
       pose = time_place(given.times_s, t, i, pose.epoch);
+      if (turns) columns.turn(i, poses.position(pose), rotation_by(poses.rotation(pose) * bias));
       columns.move(i, adjustment.trajectory.at(at));
       columns.exchange(i, between(given.position_sigmas_m, pose), sigmas_at(adjustment, at));
     }
@@ -106,7 +126,7 @@ Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given,
   made.stations = cloud.stations;
   made.crs = cloud.crs;
   made.attachments = cloud.attachments;
-  for (auto& column : {columns.origin, columns.covariance, columns.sigma})
+  for (auto& column : {columns.origin, columns.direction, columns.covariance, columns.sigma})
     if (column != nullptr) made.fields.set(column);
   return made;
 }

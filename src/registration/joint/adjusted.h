@@ -8,13 +8,13 @@
 
 namespace jalon {
 
-/// The trajectory that was adjusted, corrected, with the standard deviations of x and y that it has now, linear
-/// between the control times.
+/// The trajectory that was adjusted, corrected and turned, with the standard deviations of x and y that it has now,
+/// linear between the control times.
 Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajectory& given);
 
-/// A cloud of that drive with its points, and "beam_origin", where the adjusted trajectory puts them; beyond the
-/// trajectory's ends they move as the ends do. In "covariance" and "point_sigma" the part of the trajectory's
-/// position is what it is now. Needs "time". O(n), parallel.
+/// A cloud of that drive with its points, and "beam_origin" and "beam_direction", where the adjusted trajectory puts
+/// them; beyond the trajectory's ends they move as the ends do. In "covariance" and "point_sigma" the part of the
+/// trajectory's position is what it is now. Needs "time". O(n), parallel.
 Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given, const Cloud& cloud,
                      Task& task);
 

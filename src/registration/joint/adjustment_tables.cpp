@@ -37,6 +37,14 @@ FieldTable summary_table(const JointAdjustment& a) {
   add_value<double>(t, "weak_share", "1", "of what the best direction is held by", a.weak_share);
   add_value<uint8_t>(t, "weak_is_held", "", "0: nothing is known along the weak direction",
                      a.weak_share < kHeldShare ? 0 : 1);
+  const Vec3 turns[] = {a.attitude_bias_rad, a.attitude_bias_sigmas_rad};
+  const auto put_three = [](const Vec3& v, double* out) {
+    out[0] = v.x, out[1] = v.y, out[2] = v.z;
+  };
+  add_columns<double, 3>(t, std::span(turns, 1), "attitude_bias", "rad",
+                         "constant turns about the vehicle's axes; 0: not adjusted", put_three);
+  add_columns<double, 3>(t, std::span(turns + 1, 1), "attitude_bias_sigma", "rad",
+                         "standard deviations", put_three);
   add_value<double>(t, "wrong_strips", "1", "share of matches that the field strip contradicts",
                     a.wrong_share);
   add_value<double>(t, "wrong_facades", "1", "share of matches to another facade",
@@ -133,16 +141,22 @@ FieldTable covariance_table(const JointAdjustment& a) {
     for (size_t j = 0; j < n; ++j)
       out[n * i + j] = a.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   FieldTable t;
-  const size_t controls = a.trajectory.by_m.size(), blocks = a.model.blocks.size();
+  const size_t controls = a.trajectory.by_m.size(), blocks = a.model.blocks.size(),
+               places = 2 * (controls + blocks);
   const std::vector<uint32_t> rows = numbers_to(n);
   const auto is_block = [&](uint32_t i) { return i >= 2 * controls; };
-  add_column<uint8_t>(t, rows, "group", "", "0: control position, 1: block",
-                      [&](uint32_t i) { return is_block(i) ? 1 : 0; });
-  add_column<uint8_t>(t, rows, "axis", "", "0: east, 1: north", [&](uint32_t i) {
-    return is_block(i) ? (i - 2 * controls) / blocks : i / controls;
-  });
+  const auto is_turn = [&](uint32_t i) { return i >= places; };
+  add_column<uint8_t>(t, rows, "group", "", "0: control position, 1: block, 2: turn of the vehicle",
+                      [&](uint32_t i) { return is_turn(i)    ? 2
+                                               : is_block(i) ? 1
+                                                             : 0; });
+  add_column<uint8_t>(
+      t, rows, "axis", "", "0: east, 1: north; of turns 0: roll, 1: pitch, 2: heading",
+      [&](uint32_t i) {
+        return is_turn(i) ? i - places : is_block(i) ? (i - 2 * controls) / blocks : i / controls;
+      });
   add_column<uint32_t>(t, rows, "number", "", "of the control position or block", [&](uint32_t i) {
-    return is_block(i) ? (i - 2 * controls) % blocks : i % controls;
+    return is_turn(i) ? 0 : is_block(i) ? (i - 2 * controls) % blocks : i % controls;
   });
   t.set(std::move(column));
   return t;

@@ -8,6 +8,7 @@
 #include "base/distributions.h"
 #include "base/error.h"
 #include "base/numbers.h"
+#include "registration/joint/attitude_bias.h"
 #include "registration/joint/beam_fields.h"
 #include "registration/joint/block_search.h"
 #include "registration/joint/control_points.h"
@@ -28,6 +29,7 @@ JointProblem problem_of(const StripScene& scene, const Trajectory& controls,
   made.sigma_block_x_m = settings.sigma_block_x_m, made.sigma_block_y_m = settings.sigma_block_y_m;
   made.sigma_facade_m = settings.sigma_facade_m, made.sigma_strip_m = settings.sigma_strip_m;
   made.strip_correlation_m = settings.strip_correlation_m;
+  made.sigma_attitude_rad = settings.sigma_attitude_rad();
   return made;
 }
 
@@ -59,7 +61,7 @@ class JointLoop {
     made_.trajectory.times_s = control_times(trajectory, settings.control_s);
     problem_.control_points = control_points(settings.control_points, made_.trajectory.times_s);
     made_.points = joint_points(cloud, trajectory, made_.trajectory.times_s, settings, task);
-    for (const Vec3& p : made_.points.at) xyz_.insert(xyz_.end(), {p.x, p.y, p.z});
+    stand_turned();
     const size_t controls = made_.trajectory.times_s.size();
     places_.trajectory.assign(controls, {});
     places_.model = {std::vector<Vec2>(scene_.blocks), std::vector<double>(scene_.facades, 0),
@@ -85,22 +87,39 @@ class JointLoop {
   }
 
  private:
+  // The points by the attitudes as the pass before left them.
+  void stand_turned() {
+    if (settings_.has_attitude()) turned_ = turned(made_.points, attitude_rad_);
+    turns_ = plan_turns(points());
+    xyz_.clear();
+    for (const Vec3& p : points().at) xyz_.insert(xyz_.end(), {p.x, p.y, p.z});
+  }
+  const JointPoints& points() const { return settings_.has_attitude() ? turned_ : made_.points; }
+
+  // Conditions that were linearised where the attitudes stand now: their distances where they are as given.
+  void refer_to_given_attitudes() {
+    for (StripCondition& strip : problem_.strips)
+      for (size_t k = 0; k < problem_.turns(); ++k)
+        strip.distance_m -= strip.turns_m[k] * attitude_rad_[static_cast<int>(k)];
+  }
+
   // One pass: match where everything stands, adjust from where it was given, move.
   void step() {
     JointPass pass;
-    std::vector<PointMatch> matches = match_points(made_.points, scene_, places_, settings_, task_);
+    std::vector<PointMatch> matches = match_points(points(), scene_, places_, settings_, task_);
     leave_unsteady_out(matches);
-    made_.weights = strip_weights(made_.points, scene_, matches, settings_);
+    made_.weights = strip_weights(points(), scene_, matches, settings_);
     leave_doubtful_out(matches);
     count(matches, pass);
     made_.matches = std::move(matches);
     std::vector<uint32_t> strip_of_point;
     for (const PointMatch& m : made_.matches)
       strip_of_point.push_back(m.state == MatchState::kMatched ? m.strip : kNoStrip);
-    conditions_ =
-        strip_conditions({xyz_, made_.points.times_s, strip_of_point, made_.weights}, scene_.strips,
-                         made_.trajectory.times_s, settings_.least_points, settings_.sigma_point_m);
+    conditions_ = strip_conditions(
+        {xyz_, made_.points.times_s, strip_of_point, made_.weights, turns_}, scene_.strips,
+        made_.trajectory.times_s, settings_.least_points, settings_.sigma_point_m);
     problem_.strips = conditions_.conditions;
+    refer_to_given_attitudes();
     weigh_strips();
     pass.strips = problem_.strips.size();
     if (problem_.strips.empty())
@@ -136,6 +155,7 @@ class JointLoop {
                  places_.model.facades[strip.facade];
     for (const auto& [control, share] : strip.shares)
       sum -= share * dot(strip.normal, places_.trajectory[control]);
+    for (size_t k = 0; k < 3; ++k) sum += strip.turns_m[k] * attitude_rad_[static_cast<int>(k)];
     return sum;
   }
 
@@ -204,6 +224,9 @@ class JointLoop {
     numbers(next.model.facades, places_.model.facades);
     numbers(next.model.strips, places_.model.strips);
     places_ = std::move(next);
+    most = std::max(most, mean_reach_m(made_.points) * norm(solution.attitude_rad - attitude_rad_));
+    attitude_rad_ = solution.attitude_rad;
+    stand_turned();
     return most;
   }
 
@@ -213,6 +236,8 @@ class JointLoop {
     made_.trajectory.by_m = solution.trajectory;
     made_.trajectory_sigmas = solution.trajectory_sigmas;
     made_.model = {solution.blocks, solution.facades, std::vector<double>(scene_.strips.size(), 0)};
+    made_.attitude_bias_rad = solution.attitude_rad;
+    made_.attitude_bias_sigmas_rad = solution.attitude_sigmas_rad;
     made_.block_sigmas = solution.blocks_sigmas;
     made_.facade_sigmas = solution.facades_sigmas;
     made_.strip_sigmas.assign(scene_.strips.size(), settings_.sigma_strip_m);
@@ -273,7 +298,10 @@ class JointLoop {
   StripConditions conditions_;
   JointPlaces places_;
   std::vector<bool> is_doubtful_;  ///< of the strips; empty where they were not looked for
-  std::vector<double> xyz_;
+  Vec3 attitude_rad_;        ///< turns about the vehicle's axes, where the last pass left them
+  JointPoints turned_;       ///< the points by them; empty where attitudes stay
+  std::vector<double> xyz_;  ///< of points()
+  std::vector<std::array<Vec2, 3>> turns_;  ///< of points(), their derivatives by turns
   JointAdjustment made_;
 };
 

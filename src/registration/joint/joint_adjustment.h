@@ -39,6 +39,7 @@ struct JointAdjustment {
   JointPoints points;
   std::vector<PointMatch> matches;  ///< of the last pass
   std::vector<double> weights;
+  Vec3 attitude_bias_rad, attitude_bias_sigmas_rad;  ///< about the vehicle's axes; 0: not adjusted
   double chi_square = 0,
          p_value = 1;   ///< of the corrections, with as many degrees of freedom as strips
   uint64_t strips = 0;  ///< that are adjusted
@@ -49,7 +50,7 @@ struct JointAdjustment {
   /// that of the direction held best.
   Vec2 weak_direction;
   double weak_share = 1;
-  Eigen::MatrixXd covariance;  ///< of (T_x, T_y, d_x, d_y); empty unless asked for
+  Eigen::MatrixXd covariance;  ///< of (T_x, T_y, d_x, d_y, turns); empty unless asked for
   std::string parameters_json;
 };
 using JointAdjustmentPtr = std::shared_ptr<const JointAdjustment>;

@@ -8,6 +8,7 @@
 #include "base/text_number.h"
 #include "cloud/facade_scores.h"
 #include "cloud/subsample_cells.h"
+#include "registration/joint/attitude_bias.h"
 
 namespace jalon {
 
@@ -54,6 +55,20 @@ Cloud bare_cloud(const Cloud& cloud, const std::vector<uint32_t>& index) {
   Cloud made = make_cloud(std::move(xyz));
   made.fields.set(make_column<uint32_t>({"point", ElementType::kUint32, 1, "", ""}, index));
   return made;
+}
+
+// Keeps the point's pose; what the attitudes may be off by makes the point less sure.
+void add_pose(const Vec3& vehicle, const Matrix3& axes, const JointSettings& settings,
+              JointPoints& made) {
+  const std::array<double, 3> sigmas = settings.sigma_attitude_rad();
+  const auto by = turn_derivatives(axes, made.at.back() - vehicle);
+  auto& covariance = made.plan_covariance_m2.back();
+  for (size_t k = 0; k < 3; ++k) {
+    const double x = sigmas[k] * by[k].x, y = sigmas[k] * by[k].y;
+    covariance[0] += x * x, covariance[1] += x * y, covariance[2] += y * y;
+  }
+  made.vehicle.push_back(vehicle);
+  made.axes.push_back(axes);
 }
 
 // Fills index and normal.
@@ -136,6 +151,8 @@ JointPoints joint_points(const Cloud& cloud, const Trajectory& trajectory,
       const double noise = settings.sigma_point_m * settings.sigma_point_m;
       made.plan_covariance_m2.push_back({s.x * s.x + noise, 0, s.y * s.y + noise});
     }
+    if (settings.has_attitude())
+      add_pose(poses.position(pose), poses.rotation(pose), settings, made);
     if (ids != nullptr) made.id.push_back(ids->values<uint32_t>()[i]);
   }
   return made;

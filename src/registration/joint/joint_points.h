@@ -22,6 +22,9 @@ struct JointPoints {
       plan_covariance_m2;  ///< xx, xy, yy of the point, its pose's included
   std::vector<Vec2>
       normal;  ///< of the wall that the point looks like one of; empty where least_score is 0
+  /// Where the inertial unit was at each point, and from its frame to the world; empty where attitudes stay.
+  std::vector<Vec3> vehicle;
+  std::vector<Matrix3> axes;
   std::vector<uint32_t> id;  ///< what the field "strip" says; empty without
   uint64_t outside = 0;      ///< points of the cloud without a place in time
 

@@ -19,6 +19,9 @@ void validate(const JointProblem& problem) {
          problem.x.size(), problem.y.size());
   if (!(problem.strip_correlation_m >= 0))
     fail(Status::kInvalidArgument, "the length over which strips hang together is negative");
+  for (const double sigma : problem.sigma_attitude_rad)
+    if (!(sigma >= 0))
+      fail(Status::kInvalidArgument, "a sigma of the attitudes' constant error is negative");
   if (!problem.is_held.empty() && problem.is_held.size() != problem.facades)
     fail(Status::kInvalidArgument, "%zu facades are said to be held or not, of %u",
          problem.is_held.size(), problem.facades);

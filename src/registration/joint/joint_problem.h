@@ -3,6 +3,8 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -26,7 +28,8 @@
 //
 // Beyond the text: strips of a facade may hang together, exp(-distance / length) of their places along it,
 // and a control point, seen at a time whose shares are w_c and known to the map, asks for its own
-// correction: sum_c w_c T_c = v.
+// correction: sum_c w_c T_c = v. Attitudes may have a constant error, three small turns b about the vehicle's own axes,
+// independent, expected 0; they add sum_k t_sk b_k to a strip's condition, t_sk: its mean distance's derivative.
 namespace jalon {
 
 struct StripCondition {
@@ -37,6 +40,8 @@ struct StripCondition {
   double measured_variance_m2 =
       0;               ///< of h beside the prior: noise of ranges over the number of points
   double place_m = 0;  ///< along the facade; where strips hang together
+  /// Of h, by turns of the vehicle about its axes (m/rad); where attitudes are adjusted.
+  std::array<double, 3> turns_m{};
 };
 
 /// A point whose place is known: what the drive has to be corrected by when it was seen.
@@ -54,9 +59,14 @@ struct JointProblem {
   double strip_correlation_m = 0;
   std::vector<StripCondition> strips;
   std::vector<ControlCondition> control_points;
+  std::array<double, 3> sigma_attitude_rad{};  ///< of constant turns of the vehicle about its axes
   std::vector<bool> is_held;  ///< of each facade: it stays where it is given; empty: none does
 
   size_t controls() const { return x.size(); }
+  /// Unknown turns: all three where one of them is; one with a sigma of 0 stays 0.
+  size_t turns() const {
+    return std::ranges::any_of(sigma_attitude_rad, [](double s) { return s > 0; }) ? 3 : 0;
+  }
   double facade_variance_m2(uint32_t facade) const {
     const bool held = !is_held.empty() && is_held[facade];
     return held ? 0 : sigma_facade_m * sigma_facade_m;
@@ -71,26 +81,28 @@ struct JointSolution {
   std::vector<double> facades, strips;
   std::vector<Vec2> trajectory_sigmas, blocks_sigmas;
   std::vector<double> facades_sigmas, strips_sigmas;
+  Vec3 attitude_rad, attitude_sigmas_rad;  ///< turns about the vehicle's axes
   /// Of each facade (1/m): how strongly its strips pull it forward from where it is.
   std::vector<double> facade_pulls;
   /// Weighted square sum of the corrections: chi-square with as many degrees of freedom as conditions,
   /// where the priors are right.
   double chi_square = 0;
-  /// Of (T_x, T_y, d_x, d_y), in this order.
+  /// Of (T_x, T_y, d_x, d_y), in this order, and the three turns where there are any.
   Eigen::MatrixXd covariance;
 };
 
 /// Indices into that order.
 struct JointOrder {
-  size_t controls, blocks;
+  size_t controls, blocks, turns = 0;
   size_t tx(size_t c) const { return c; }
   size_t ty(size_t c) const { return controls + c; }
   size_t dx(size_t b) const { return 2 * controls + b; }
   size_t dy(size_t b) const { return 2 * controls + blocks + b; }
-  size_t size() const { return 2 * (controls + blocks); }
+  size_t turn(size_t k) const { return 2 * (controls + blocks) + k; }
+  size_t size() const { return 2 * (controls + blocks) + turns; }
 };
 inline JointOrder order_of(const JointProblem& problem) {
-  return {problem.controls(), problem.blocks};
+  return {problem.controls(), problem.blocks, problem.turns()};
 }
 
 /// Error(kInvalidArgument) naming the first strip with a block, facade or control position that is
@@ -103,8 +115,9 @@ enum class JointWanted {
   kSigmas,      ///< their standard deviations as well
   kCovariance,  ///< and the field covariance, dense
 };
-/// By the normal equations of trajectory and blocks alone, facades and strips eliminated: sparse, the
-/// same answer as the dense form to rounding. All sigmas must be positive. Without measured noise the
+/// By the normal equations of trajectory, blocks and turns alone, facades and strips eliminated: sparse, the
+/// same answer as the dense form to rounding. All sigmas but those
+/// of turns must be positive. Without measured noise the
 /// conditions hold exactly.
 JointSolution solve_reduced(const JointProblem& problem, JointWanted wanted);
 

@@ -28,9 +28,11 @@ std::array<std::vector<double>, kJointGroups> normalised_residuals(const JointSo
 }
 
 double whitened_mean_square(const JointSolution& s, const JointTruth& truth) {
-  const JointOrder at{s.trajectory.size(), s.blocks.size()};
-  const auto n = static_cast<Eigen::Index>(at.size());
-  if (s.covariance.rows() != n)
+  JointOrder at{s.trajectory.size(), s.blocks.size()};
+  const auto n = s.covariance.rows();
+  constexpr size_t kTurns = 3;
+  if (n == static_cast<Eigen::Index>(at.size() + kTurns)) at.turns = kTurns;
+  if (n != static_cast<Eigen::Index>(at.size()))
     fail(Status::kInternal, "whitened residuals need the covariance of the solution");
   Eigen::VectorXd off(n);
   const auto set = [&](size_t x, size_t y, const Vec2& value, const Vec2& expected) {
@@ -40,6 +42,10 @@ double whitened_mean_square(const JointSolution& s, const JointTruth& truth) {
   for (size_t c = 0; c < at.controls; ++c)
     set(at.tx(c), at.ty(c), s.trajectory[c], truth.trajectory[c]);
   for (size_t b = 0; b < at.blocks; ++b) set(at.dx(b), at.dy(b), s.blocks[b], truth.blocks[b]);
+  for (size_t k = 0; k < at.turns; ++k) {
+    const auto axis = static_cast<int>(k);
+    off[static_cast<Eigen::Index>(at.turn(k))] = s.attitude_rad[axis] - truth.attitude_rad[axis];
+  }
   return off.dot(s.covariance.ldlt().solve(off)) / static_cast<double>(n);
 }
 

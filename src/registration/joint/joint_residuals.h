@@ -13,6 +13,7 @@ namespace jalon {
 struct JointTruth {
   std::vector<Vec2> trajectory, blocks;
   std::vector<double> facades, strips;
+  Vec3 attitude_rad{};
 };
 
 enum JointGroup : size_t {
@@ -31,8 +32,8 @@ enum JointGroup : size_t {
 std::array<std::vector<double>, kJointGroups> normalised_residuals(const JointSolution& solution,
                                                                    const JointTruth& truth);
 
-/// Mean square of L^-1 (adjusted - true) over trajectory and blocks, L L^T their covariance, which the solution must
-/// have: chi-square over its degrees of freedom, 1 on average, whatever hangs together.
+/// Mean square of L^-1 (adjusted - true) over trajectory, blocks and turns, L L^T their covariance, which the solution
+/// must have: chi-square over its degrees of freedom, 1 on average, whatever hangs together.
 double whitened_mean_square(const JointSolution& solution, const JointTruth& truth);
 
 }  // namespace jalon

@@ -9,6 +9,7 @@ namespace jalon {
 namespace {
 
 using S = JointSettings;
+constexpr double kGreatestBias_rad = 0.2;  // 11 degrees: beyond, axes are mixed up
 constexpr auto kJointRows = setting_rows(
     number_row<&S::sigma_block_x_m>("sigma_block_x_m", 0, 1000, "m", "",
                                     "Standard deviation of a block's place, east."),
@@ -27,6 +28,14 @@ constexpr auto kJointRows = setting_rows(
         "strip_correlation_m", 0, 1000, "m", "",
         "Strips of a facade hang together: the correlation of their offsets is 1/e at this "
         "distance along it, less beyond; 0: not at all."),
+    number_row<&S::sigma_roll_bias_rad>(
+        "sigma_roll_bias_rad", 0, kGreatestBias_rad, "rad", "",
+        "Standard deviation of a constant error of the attitudes about the vehicle's forward "
+        "axis, which is adjusted with the rest; 0: there is none."),
+    number_row<&S::sigma_pitch_bias_rad>("sigma_pitch_bias_rad", 0, kGreatestBias_rad, "rad", "",
+                                         "The same about the axis across the vehicle."),
+    number_row<&S::sigma_heading_bias_rad>("sigma_heading_bias_rad", 0, kGreatestBias_rad, "rad",
+                                           "", "The same about the vehicle's upright axis."),
     doubles_row<&S::control_points>(
         "control_points", -1e9, 1e9, "", "",
         "Points whose place is known, six numbers each: when it was seen (s), x and y that the "

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,6 +16,7 @@ struct JointSettings {
   double sigma_block_x_m = 1, sigma_block_y_m = 1, sigma_facade_m = 0.5, sigma_strip_m = 0.3;
   enum class SetBack { kEither, kBehind } set_back = SetBack::kEither;
   double strip_correlation_m = 0;
+  double sigma_roll_bias_rad = 0, sigma_pitch_bias_rad = 0, sigma_heading_bias_rad = 0;
   std::vector<double> control_points{};
   double control_s = 1;
   enum class Matches { kRays, kIds } matches = Matches::kRays;
@@ -29,6 +31,14 @@ struct JointSettings {
   int64_t most_passes = 20;
   double tolerance_m = 0.001;
   bool covariance = false;
+
+  /// Of constant errors of the attitudes; whether they are adjusted.
+  std::array<double, 3> sigma_attitude_rad() const {
+    return {sigma_roll_bias_rad, sigma_pitch_bias_rad, sigma_heading_bias_rad};
+  }
+  bool has_attitude() const {
+    return sigma_roll_bias_rad > 0 || sigma_pitch_bias_rad > 0 || sigma_heading_bias_rad > 0;
+  }
 };
 std::span<const ParamRow> joint_rows();
 

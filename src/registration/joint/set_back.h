@@ -29,6 +29,7 @@ JointSolution solve_set_back(JointProblem& problem, Solve&& solve) {
     made = solve(problem);
   made.trajectory_sigmas = unbound.trajectory_sigmas, made.blocks_sigmas = unbound.blocks_sigmas;
   made.facades_sigmas = unbound.facades_sigmas, made.strips_sigmas = unbound.strips_sigmas;
+  made.attitude_sigmas_rad = unbound.attitude_sigmas_rad;
   made.covariance = unbound.covariance;
   return made;
 }

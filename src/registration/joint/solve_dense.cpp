@@ -14,7 +14,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Behind trajectory and blocks stand facades, then strips.
+// Behind trajectory, blocks and turns stand facades, then strips.
 struct DenseOrder : JointOrder {
   size_t facades, strips;
   Index facade(size_t f) const { return static_cast<Index>(JointOrder::size() + f); }
@@ -34,6 +34,8 @@ MatrixXd prior_covariance(const JointProblem& problem, const DenseOrder& at) {
     set(static_cast<Index>(at.dx(b)), problem.sigma_block_x_m);
     set(static_cast<Index>(at.dy(b)), problem.sigma_block_y_m);
   }
+  for (size_t k = 0; k < at.turns; ++k)
+    set(static_cast<Index>(at.turn(k)), problem.sigma_attitude_rad[k]);
   for (uint32_t f = 0; f < at.facades; ++f)
     set(at.facade(f), std::sqrt(problem.facade_variance_m2(f)));
   for (size_t s = 0; s < at.strips; ++s) set(at.strip(s), problem.sigma_strip_m);
@@ -59,6 +61,8 @@ MatrixXd conditions(const JointProblem& problem, const DenseOrder& at) {
     }
     B(static_cast<Index>(at.dx(strip.block)), column) = strip.normal.u;
     B(static_cast<Index>(at.dy(strip.block)), column) = strip.normal.v;
+    for (size_t k = 0; k < at.turns; ++k)
+      B(static_cast<Index>(at.turn(k)), column) = strip.turns_m[k];
     B(at.facade(strip.facade), column) = 1;
     B(at.strip(s), column) = 1;
   }
@@ -124,6 +128,10 @@ JointSolution solve_dense(const JointProblem& problem) {
   for (size_t b = 0; b < at.blocks; ++b) {
     made.blocks.push_back(pair(l, at.dx(b), at.dy(b)));
     made.blocks_sigmas.push_back(pair(sigmas, at.dx(b), at.dy(b)));
+  }
+  for (int axis = 0; axis < static_cast<int>(at.turns); ++axis) {
+    const auto i = static_cast<Index>(at.turn(static_cast<size_t>(axis)));
+    made.attitude_rad[axis] = l[i], made.attitude_sigmas_rad[axis] = sigmas[i];
   }
   made.facade_pulls.assign(at.facades, 0);
   for (size_t s = 0; s < at.strips; ++s)

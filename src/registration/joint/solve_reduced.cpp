@@ -22,8 +22,10 @@ struct RowElement {
   double value;
 };
 
-// The row of a strip: derivatives of its condition by T_x, T_y, d_x, d_y.
-std::vector<RowElement> row_of(const StripCondition& strip, const JointOrder& at) {
+// The row of a strip: derivatives of its condition by T_x, T_y, d_x, d_y and, in units of their own sigmas so that a
+// sigma of 0 leaves no singular matrix, by the turns.
+std::vector<RowElement> row_of(const StripCondition& strip, const JointProblem& problem,
+                               const JointOrder& at) {
   std::vector<RowElement> row;
   for (const auto& [control, share] : strip.shares) {
     row.push_back({static_cast<Index>(at.tx(control)), -share * strip.normal.u});
@@ -31,6 +33,9 @@ std::vector<RowElement> row_of(const StripCondition& strip, const JointOrder& at
   }
   row.push_back({static_cast<Index>(at.dx(strip.block)), strip.normal.u});
   row.push_back({static_cast<Index>(at.dy(strip.block)), strip.normal.v});
+  for (size_t k = 0; k < at.turns; ++k)
+    row.push_back(
+        {static_cast<Index>(at.turn(k)), strip.turns_m[k] * problem.sigma_attitude_rad[k]});
   return row;
 }
 
@@ -52,13 +57,15 @@ void add_prior(const JointProblem& problem, const JointOrder& at, Triplets& into
     into.push_back({x, x, 1 / (problem.sigma_block_x_m * problem.sigma_block_x_m)});
     into.push_back({y, y, 1 / (problem.sigma_block_y_m * problem.sigma_block_y_m)});
   }
+  for (size_t k = 0; k < at.turns; ++k)
+    into.push_back({static_cast<Index>(at.turn(k)), static_cast<Index>(at.turn(k)), 1});
 }
 
 class ReducedSolver {
  public:
   explicit ReducedSolver(const JointProblem& problem)
       : problem_(problem), at_(order_of(problem)), facades_(strips_by_facade(problem)) {
-    for (const StripCondition& strip : problem.strips) rows_.push_back(row_of(strip, at_));
+    for (const StripCondition& strip : problem.strips) rows_.push_back(row_of(strip, problem, at_));
     factorise();
   }
 
@@ -247,8 +254,14 @@ class ReducedSolver {
 
   Eigen::VectorXd variances_of(JointWanted wanted, JointSolution& made) const {
     const auto n = static_cast<Index>(at_.size());
-    if (wanted == JointWanted::kCovariance)
+    if (wanted == JointWanted::kCovariance) {
       made.covariance = factor_.solve(Eigen::MatrixXd::Identity(n, n));
+      for (size_t k = 0; k < at_.turns; ++k) {
+        const auto i = static_cast<Index>(at_.turn(k));
+        made.covariance.row(i) *= problem_.sigma_attitude_rad[k];
+        made.covariance.col(i) *= problem_.sigma_attitude_rad[k];
+      }
+    }
     Eigen::VectorXd variances(n);
     for (Index i = 0; i < n; ++i) variances[i] = inverse_->at(i, i);
     return variances;
@@ -257,10 +270,19 @@ class ReducedSolver {
   static Vec2 pair(const Eigen::VectorXd& v, size_t i, size_t j) {
     return {v[static_cast<Index>(i)], v[static_cast<Index>(j)]};
   }
+  Vec3 turns_of(const Eigen::VectorXd& v) const {
+    Vec3 made;
+    for (int k = 0; k < static_cast<int>(at_.turns); ++k) {
+      const auto axis = static_cast<size_t>(k);
+      made[k] = problem_.sigma_attitude_rad[axis] * v[static_cast<Index>(at_.turn(axis))];
+    }
+    return made;
+  }
   void place(const Eigen::VectorXd& x, JointSolution& made) const {
     for (size_t c = 0; c < at_.controls; ++c)
       made.trajectory.push_back(pair(x, at_.tx(c), at_.ty(c)));
     for (size_t b = 0; b < at_.blocks; ++b) made.blocks.push_back(pair(x, at_.dx(b), at_.dy(b)));
+    made.attitude_rad = turns_of(x);
   }
   void place_sigmas(const Eigen::VectorXd& variances, JointSolution& made) const {
     const Eigen::VectorXd sigmas = variances.cwiseMax(0).cwiseSqrt();
@@ -268,6 +290,7 @@ class ReducedSolver {
       made.trajectory_sigmas.push_back(pair(sigmas, at_.tx(c), at_.ty(c)));
     for (size_t b = 0; b < at_.blocks; ++b)
       made.blocks_sigmas.push_back(pair(sigmas, at_.dx(b), at_.dy(b)));
+    made.attitude_sigmas_rad = turns_of(sigmas);
   }
 
   const JointProblem& problem_;

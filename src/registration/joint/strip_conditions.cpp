@@ -14,6 +14,7 @@ struct StripSums {
   uint64_t points = 0;
   double weight = 0, weight2 = 0, distance_m = 0;
   std::map<uint32_t, double> shares;
+  std::array<double, 3> turns_m{};
 };
 
 }  // namespace
@@ -38,6 +39,8 @@ StripConditions strip_conditions(const MatchedPoints& points, std::span<const Gi
     // (Q - P) . n: how far the plane is in front of the point.
     sum.distance_m += weight * (strip.offset_m - strip.normal.u * points.xyz[3 * i] -
                                 strip.normal.v * points.xyz[3 * i + 1]);
+    for (size_t k = 0; k < 3 && !points.turns.empty(); ++k)
+      sum.turns_m[k] -= weight * dot(strip.normal, points.turns[i][k]);
     sum.shares[static_cast<uint32_t>(at.epoch)] += weight * (1 - at.share);
     sum.shares[static_cast<uint32_t>(at.epoch + 1)] += weight * at.share;
   }
@@ -50,7 +53,8 @@ StripConditions strip_conditions(const MatchedPoints& points, std::span<const Gi
         strips[s].block,    strips[s].facade,
         strips[s].normal,   {},
         sum.distance_m / n, sigma_range_m * sigma_range_m * sum.weight2 / (n * n),
-        strips[s].place_m};
+        strips[s].place_m,  {}};
+    for (size_t k = 0; k < 3; ++k) condition.turns_m[k] = sum.turns_m[k] / n;
     for (const auto& [control, share] : sum.shares)
       if (share > 0) condition.shares.push_back({control, share / n});
     made.conditions.push_back(std::move(condition));

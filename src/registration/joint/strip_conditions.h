@@ -23,6 +23,8 @@ struct MatchedPoints {
   std::span<const double> xyz, times_s;
   std::span<const uint32_t> strips;
   std::span<const double> weights{};  ///< empty: all count alike; 0: the point does not count
+  /// Derivatives of each point by turns of its vehicle (m/rad); empty: attitudes stay.
+  std::span<const std::array<Vec2, 3>> turns{};
 };
 
 struct StripConditions {

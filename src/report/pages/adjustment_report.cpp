@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -72,6 +73,16 @@ SigmaMeans sigma_means(const JointAdjustment& a) {
   return out;
 }
 
+// Each with its standard deviation.
+std::string angles_mdeg(const JointAdjustment& a) {
+  constexpr double kMdeg = 180e3 / std::numbers::pi;
+  std::string out;
+  for (int k = 0; k < 3; ++k)
+    out += text_of(kMdeg * a.attitude_bias_rad[k], 1) + " +- " +
+           text_of(kMdeg * a.attitude_bias_sigmas_rad[k], 1) + (k < 2 ? ", " : " mdeg");
+  return out;
+}
+
 void add_outcome(Page& page, const JointAdjustment& a) {
   const SigmaMeans sigmas = sigma_means(a);
   std::vector<std::pair<std::string, std::string>> rows{
@@ -82,6 +93,8 @@ void add_outcome(Page& page, const JointAdjustment& a) {
        length_mm(a.passes.empty() ? kNaN : a.passes.back().rms_m) + " mm"},
       {"chi-square of all corrections", text_of(a.chi_square, 1) + " on " + grouped(a.strips) +
                                             " degrees of freedom, p " + text_of(a.p_value, 4)}};
+  if (!(a.attitude_bias_sigmas_rad == Vec3{}))
+    rows.push_back({"roll, pitch, heading off by a constant", angles_mdeg(a)});
   if (std::isfinite(a.wrong_share))
     rows.push_back({"matches to another strip than the cloud says",
                     text_of(100 * a.wrong_share, 2) + " %, to another facade " +

@@ -10,6 +10,7 @@
 #include "base/text_number.h"
 #include "model/trajectory/corrections.h"
 #include "registration/joint/adjusted.h"
+#include "registration/joint/attitude_bias.h"
 #include "registration/joint/strip_scene.h"
 #include "report/pictures/deviation_colours.h"
 #include "report/sheet/ticks.h"
@@ -22,11 +23,12 @@ namespace {
 constexpr double kShareOfDistances = 0.98;  // within the scale, as in the picture of a comparison
 
 CloudPtr cloud_of_points(const JointAdjustment& a, bool moved) {
-  Buffer<double> xyz(3 * a.points.size());
-  for (size_t i = 0; i < a.points.size(); ++i) {
-    Vec3 p = a.points.at[i];
+  const JointPoints points = moved ? turned(a.points, a.attitude_bias_rad) : a.points;
+  Buffer<double> xyz(3 * points.size());
+  for (size_t i = 0; i < points.size(); ++i) {
+    Vec3 p = points.at[i];
     if (moved) {
-      const Vec2 by = a.trajectory.at(a.points.places[i]);
+      const Vec2 by = a.trajectory.at(points.places[i]);
       p = p + Vec3{by.u, by.v, 0};
     }
     for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = p[k];
