@@ -12,8 +12,8 @@
  *     n . (Q + d_b - P(T)) + o_f + o_s = 0
  *
  * solved as Gauss-Helmert model without parameters (Mikhail 1976) by its sparse normal equations. What may move is
- * said by sigmas alone: a sure model locates the drive, a sure drive updates the model. Heights stay, and
- * attitudes do unless they are said to have a constant error.
+ * said by sigmas alone: a sure model locates the drive, a sure drive updates the model. Heights
+ * stay unless the ground tells them, and attitudes unless they are said to have a constant error.
  *
  * An adjustment is immutable and may be read by many threads.
  */
@@ -70,6 +70,9 @@ enum {
  *    the condition, t_k the mean of -n . ((R e_k) x (P - T)). Passes make them whole turns; a small turn
  *    and a small shift are told apart only by drives both ways, or by sigmas. "control_points": points seen at known
  *    times whose place is known hold the drive in plan, two conditions each; what a turn does to them is left out.
+ *    With "sigma_ground_m" the drive's heights are adjusted as well, after the loop and apart: in each interval between
+ *    control times by the median of the points under the vehicle (within 3.5 m of it in plan) below the model's faces
+ *    of class "ground"; the ground's errors are a chain along the way ("ground_correlation_m").
  *    From the sixth pass on a point whose match still changes is left out, so that passes do not go to and fro
  *    between two answers.
  *
@@ -78,7 +81,7 @@ enum {
  *
  * JALON_ERROR_INVALID_ARGUMENT: no field "time" or one of another type, a time that is not finite, no point within
  * the trajectory's time, no position sigmas, sigma_strip_m = 0, a model without strips, CRS that differ, a control
- * point that is not whole or was seen outside of the trajectory's time.
+ * point that is not whole or was seen outside of the trajectory's time, sigma_ground_m of a model without ground.
  * JALON_ERROR_INSUFFICIENT_DATA: no strip has enough points. With a sigma of blocks or facades of 0 the dense form is
  * taken, O(strips^3).
  */
@@ -109,6 +112,10 @@ JALON_API void jalon_adjustment_release(jalon_adjustment* adjustment);
  *     attitude_bias   float64 x 3  rad   turn b about the vehicle's axes x, y, z (roll, pitch, heading): its rotation
  *                                        is R Exp(b), not R; 0: not adjusted
  *     attitude_bias_sigma  float64 x 3  rad  standard deviations
+ *     ground_points   uint64       -     under the vehicle, that told the heights
+ *     ground_intervals  uint64     -     between control times, that have such points
+ *     ground_chi_square  float64   1     weighted square sum of the heights' corrections, with as many degrees of
+ *                                        freedom
  *     wrong_strips    float64      1     share of the matches that count which the cloud's field "strip" (uint32)
  *                                        contradicts; NaN without the field
  *     wrong_facades   float64      1     share of those to another facade
@@ -139,6 +146,9 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_iterations(const jalon_adjus
  *     correction   float64 x 2  m     east and north, linear in between
  *     sigma        float64 x 2  m     standard deviations
  *     prior_sigma  float64 x 2  m     those before
+ *     height_correction  float64  m   by the ground; 0 without
+ *     height_sigma       float64  m   standard deviation
+ *     height_prior_sigma  float64  m  that before
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_controls(const jalon_adjustment* adjustment,
                                                              jalon_fields** out);
@@ -197,8 +207,8 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_parameters(const jalon_adjus
                                                                const char** out);
 
 /**
- * The adjusted trajectory: all epochs as they were given, corrected, with the standard deviations of x and y that
- * they have now. Attitudes are turned by "attitude_bias" and keep their standard deviations.
+ * The adjusted trajectory: all epochs as they were given, corrected, with the standard deviations of their positions
+ * that they have now. Attitudes are turned by "attitude_bias" and keep their standard deviations.
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_trajectory(const jalon_adjustment* adjustment,
                                                                jalon_trajectory** out);
@@ -230,7 +240,7 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_model(const jalon_adjustment
 /**
  * A new cloud: one of the drive ("time", float64), with its points, "beam_origin" and "beam_direction" where the
  * adjusted trajectory puts them; beyond its ends they move as the ends do. In "covariance" and "point_sigma" the
- * variances of the trajectory's position, x and y, are those it has now. O(n), parallel.
+ * variances of the trajectory's position are those it has now. O(n), parallel.
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_apply(const jalon_adjustment* adjustment,
                                                           const jalon_cloud* cloud,

@@ -108,6 +108,10 @@ struct Adjust {
                   fixed(kDegree * summary.number("attitude_bias_sigma", 0, k), 4);
       console.say("roll, pitch, heading: off by" + angles + " degrees");
     }
+    if (summary.count("ground_intervals", 0) > 0)
+      console.say("heights by the ground: " + count("ground_points") + " points in " +
+                  count("ground_intervals") + " intervals, chi-square " +
+                  fixed(summary.number("ground_chi_square", 0), 1));
     const double p = summary.number("p_value", 0);
     constexpr double kRare = 0.001;
     console.say("test of the model: chi-square " + fixed(summary.number("chi_square", 0), 1) +

@@ -9,6 +9,7 @@
 
 #include "accuracy/seed_range.h"
 #include "base/random.h"
+#include "model/polygon_triangles.h"
 #include "registration/joint/attitude_bias.h"
 #include "registration/joint/joint_adjustment.h"
 #include "model/buildings/building_tree.h"
@@ -59,6 +60,8 @@ struct DriveKind {
   bool corner = true, there_and_back = false;
   double mask_sigma_m = 0;  ///< of the positions amid a gap of satellites; 0: none
   double noise_range_m = 0.005;
+  double sigma_height_m = 0;  ///< of the drive; 0: its heights are right and the ground is as it is
+  double sigma_ground_m = 0.1, ground_correlation_m = 25;
   Vec3 sigma_attitude_rad;  ///< of constant errors about the vehicle's axes
 };
 
@@ -127,6 +130,33 @@ inline Vec3 attitude_error(const DriveKind& kind) {
   return made;
 }
 
+/// The ground of a model in place of its own, off by a chain along the way driven: x, then y.
+inline void bend_ground(Model& model, double sigma_m, double correlation_m, uint64_t seed) {
+  constexpr double kStep_m = 1, kFrom_m = -60, kTo_m = 340, kAside_m = 340;
+  const auto is_ground = [&](const Face& face) {
+    return model.parts[face.part].part_class == part_class::kGround;
+  };
+  const auto ground = std::ranges::find_if(model.faces, is_ground);
+  const uint32_t part = ground->part;
+  std::erase_if(model.faces, is_ground);
+  std::vector<Vec3> ways;
+  for (double s = kFrom_m; s <= kTo_m; s += kStep_m) ways.push_back({s, 0, 0});
+  const std::vector<double> z = drawn(ground_chain(ways, sigma_m, correlation_m), seed, 33);
+  const auto place = [&](size_t i, double aside) {
+    return Vec3{(ways[i].x + aside) / 2, (ways[i].x - aside) / 2, z[i]};
+  };
+  for (size_t i = 0; i + 1 < ways.size(); ++i) {
+    const std::vector<Vec3> corners{place(i, -kAside_m), place(i, kAside_m), place(i + 1, kAside_m),
+                                    place(i + 1, -kAside_m)};
+    Face face;
+    face.part = part;
+    face.id = static_cast<uint32_t>(model.faces.size());
+    face.plane.normal = normalized(newell_normal(corners));
+    face.plane.offset = dot(face.plane.normal, corners[0]);
+    model.add_face(face, {corners});
+  }
+}
+
 inline DriveScenario driven(const DriveKind& kind, Task& task) {
   // 1. The street, the drive, and what the model knows of them.
   StreetDriveSettings of;
@@ -167,6 +197,17 @@ inline DriveScenario driven(const DriveKind& kind, Task& task) {
   made.trajectory =
       turned(corrected(made.true_trajectory, made.trajectory_errors), attitude_error(kind));
   const auto values = [&](const char* name) { return truth.fields.require(name).values<double>(); };
+  if (kind.sigma_height_m > 0) {
+    for (Vec3& p : made.trajectory.position_sigmas_m) p.z = kind.sigma_height_m;
+    const Trajectory unsure = interpolated(made.trajectory, made.trajectory_errors.times_s);
+    const std::vector<double> z = drawn(position_prior(unsure, 2), kind.seed, 13);
+    TimePlace at;
+    for (size_t i = 0; i < made.trajectory.size(); ++i) {
+      at = time_place(unsure.times_s, made.trajectory.times_s[i], i, at.epoch);
+      made.trajectory.positions[i].z += z[at.epoch] * (1 - at.share) + z[at.epoch + 1] * at.share;
+    }
+    bend_ground(made.model, kind.sigma_ground_m, kind.ground_correlation_m, kind.seed);
+  }
   made.cloud = georeferenced(made.trajectory,
                              {values("time"), values("range"), values("theta"), values("phi")},
                              scanner.mount, task);

@@ -15,9 +15,12 @@ namespace jalon {
 
 namespace {
 
-Vec2 sigmas_at(const JointAdjustment& adjustment, const TimePlace& at) {
+// Of the position; heights that were not adjusted keep what they were given.
+Vec3 sigmas_at(const JointAdjustment& adjustment, const TimePlace& at, double height_before_m) {
   const auto& s = adjustment.trajectory_sigmas;
-  return s[at.epoch] * (1 - at.share) + s[at.epoch + 1] * at.share;
+  const Vec2 plan = s[at.epoch] * (1 - at.share) + s[at.epoch + 1] * at.share;
+  return {plan.u, plan.v,
+          adjustment.ground.empty() ? height_before_m : adjustment.height_sigma_at(at)};
 }
 
 template <class T>
@@ -62,21 +65,22 @@ struct MovedColumns {
     const Vec3 to = by.direction({double{d[0]}, double{d[1]}, double{d[2]}});
     for (int k = 0; k < 3; ++k) d[k] = static_cast<float>(to[k]);
   }
-  void move(size_t i, const Vec2& by) {
-    xyz[3 * i] += by.u, xyz[3 * i + 1] += by.v;
+  void move(size_t i, const Vec3& by) {
+    for (size_t k = 0; k < 3; ++k) xyz[3 * i + k] += by[static_cast<int>(k)];
     if (origin == nullptr) return;
     double* o = origin->values<double>().data() + 3 * i;
-    o[0] += by.u, o[1] += by.v;
+    for (int k = 0; k < 3; ++k) o[k] += by[k];
   }
   // Takes the trajectory's variances out and puts others in; what else a point has stays, 0 at least.
-  void exchange(size_t i, const Vec3& before, const Vec2& now) {
+  void exchange(size_t i, const Vec3& before, const Vec3& now) {
     if (covariance == nullptr) return;
     float* c = covariance->values<float>().data() + 6 * i;
     const auto other = [](float all, double was, double is) {
       return static_cast<float>(std::max(0.0, double{all} - was * was) + is * is);
     };
-    c[0] = other(c[0], before.x, now.u);
-    c[3] = other(c[3], before.y, now.v);
+    c[0] = other(c[0], before.x, now.x);
+    c[3] = other(c[3], before.y, now.y);
+    if (now.z != before.z) c[5] = other(c[5], before.z, now.z);
     if (sigma != nullptr) sigma->values<float>()[i] = std::sqrt(c[0] + c[3] + c[5]);
   }
 };
@@ -88,8 +92,8 @@ Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajecto
   TimePlace at;
   for (size_t i = 0; i < made.size(); ++i) {
     at = time_place(adjustment.trajectory.times_s, made.times_s[i], i, at.epoch);
-    const Vec2 sigma = sigmas_at(adjustment, at);
-    made.position_sigmas_m[i].x = sigma.u, made.position_sigmas_m[i].y = sigma.v;
+    made.position_sigmas_m[i] = sigmas_at(adjustment, at, made.position_sigmas_m[i].z);
+    if (!adjustment.ground.empty()) made.positions[i].z += adjustment.height_at(at);
   }
   return made;
 }
@@ -117,8 +121,10 @@ Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given,
       at = time_place(controls, t, i, at.epoch);
       pose = time_place(given.times_s, t, i, pose.epoch);
       if (turns) columns.turn(i, poses.position(pose), rotation_by(poses.rotation(pose) * bias));
-      columns.move(i, adjustment.trajectory.at(at));
-      columns.exchange(i, between(given.position_sigmas_m, pose), sigmas_at(adjustment, at));
+      const Vec2 by = adjustment.trajectory.at(at);
+      columns.move(i, {by.u, by.v, adjustment.ground.empty() ? 0 : adjustment.height_at(at)});
+      const Vec3 before = between(given.position_sigmas_m, pose);
+      columns.exchange(i, before, sigmas_at(adjustment, at, before.z));
     }
   });
   Cloud made = make_cloud(std::move(columns.xyz));

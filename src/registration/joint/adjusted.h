@@ -8,7 +8,7 @@
 
 namespace jalon {
 
-/// The trajectory that was adjusted, corrected and turned, with the standard deviations of x and y that it has now,
+/// The trajectory that was adjusted, corrected and turned, with the standard deviations that it has now,
 /// linear between the control times.
 Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajectory& given);
 

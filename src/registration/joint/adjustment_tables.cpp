@@ -45,6 +45,14 @@ FieldTable summary_table(const JointAdjustment& a) {
                          "constant turns about the vehicle's axes; 0: not adjusted", put_three);
   add_columns<double, 3>(t, std::span(turns + 1, 1), "attitude_bias_sigma", "rad",
                          "standard deviations", put_three);
+  uint64_t ground_points = 0;
+  for (const GroundRise& r : a.ground) ground_points += r.points;
+  add_value<uint64_t>(t, "ground_points", "", "under the vehicle, that told heights",
+                      ground_points);
+  add_value<uint64_t>(t, "ground_intervals", "", "between control times, that have such points",
+                      a.ground.size());
+  add_value<double>(t, "ground_chi_square", "1", "weighted square sum of heights' corrections",
+                    a.ground_chi_square);
   add_value<double>(t, "wrong_strips", "1", "share of matches that the field strip contradicts",
                     a.wrong_share);
   add_value<double>(t, "wrong_facades", "1", "share of matches to another facade",
@@ -82,6 +90,12 @@ FieldTable control_table(const JointAdjustment& a) {
   add_columns<double, 2>(t, a.trajectory.by_m, "correction", "m", "east and north", put);
   add_columns<double, 2>(t, a.trajectory_sigmas, "sigma", "m", "standard deviations", put);
   add_columns<double, 2>(t, a.trajectory_priors, "prior_sigma", "m", "before", put);
+  const auto height = [&](const char* name, const char* meaning, const std::vector<double>& list) {
+    add_column<double>(t, list, name, "m", meaning, [](double v) { return v; });
+  };
+  height("height_correction", "by the ground", a.heights_m);
+  height("height_sigma", "standard deviation", a.height_sigmas_m);
+  height("height_prior_sigma", "before", a.height_priors_m);
   return t;
 }
 

@@ -8,6 +8,8 @@
 #include "base/distributions.h"
 #include "base/error.h"
 #include "base/numbers.h"
+#include "registration/ground/ground_rises.h"
+#include "registration/joint/adjusted.h"
 #include "registration/joint/attitude_bias.h"
 #include "registration/joint/beam_fields.h"
 #include "registration/joint/block_search.h"
@@ -305,12 +307,46 @@ class JointLoop {
   JointAdjustment made_;
 };
 
+// Upright walls say nothing of heights: these follow from the points as they now stand in plan.
+void adjust_heights(const Model& model, const Cloud& cloud, const Trajectory& given,
+                    const JointSettings& settings, JointAdjustment& made, Task& task) {
+  const std::vector<double>& times = made.trajectory.times_s;
+  const Trajectory controls = interpolated(given, times);
+  const GaussMarkov drive = position_prior(controls, 2);
+  made.height_sigmas_m = made.height_priors_m = drive.sigmas_m;
+  made.heights_m.assign(times.size(), 0);
+  if (!(settings.sigma_ground_m > 0)) return;
+  const auto ground = ground_of(model, task);
+  if (ground == nullptr)
+    fail(Status::kInvalidArgument,
+         "sigma_ground_m is set, but the model has no ground: faces of class \"ground\"");
+  GroundSearch search;
+  search.noise_m = settings.sigma_point_m;
+  search.least_points = settings.least_points;
+  for (const double sigma : drive.sigmas_m)
+    search.greatest_m.push_back(greatest_deviation(settings) *
+                                std::hypot(sigma, settings.sigma_ground_m, settings.sigma_point_m));
+  made.ground = ground_rises(adjusted_cloud(made, given, cloud, task),
+                             adjusted_trajectory(made, given), times, *ground, search, task);
+  if (made.ground.empty()) return;
+  HeightSolution solved = solve_heights(
+      drive,
+      ground_chain(controls.positions, settings.sigma_ground_m, settings.ground_correlation_m),
+      made.ground);
+  made.heights_m = std::move(solved.by_m);
+  made.height_sigmas_m = std::move(solved.sigmas_m);
+  made.ground_chi_square = solved.chi_square;
+}
+
 }  // namespace
 
 JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud, const Trajectory& trajectory,
                                const JointSettings& settings, Task& task) {
   require_prior(trajectory, settings);
-  return JointLoop(model, with_whole_beams(cloud), trajectory, settings, task).run();
+  JointAdjustment made =
+      JointLoop(model, with_whole_beams(cloud), trajectory, settings, task).run();
+  adjust_heights(model, cloud, trajectory, settings, made, task);
+  return made;
 }
 
 }  // namespace jalon

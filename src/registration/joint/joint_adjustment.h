@@ -8,6 +8,7 @@
 
 #include "base/field.h"
 #include "model/trajectory/corrections.h"
+#include "registration/ground/height_chain.h"
 #include "registration/joint/joint_problem.h"
 #include "registration/joint/joint_settings.h"
 #include "registration/joint/ray_matching.h"
@@ -30,7 +31,11 @@ struct JointAdjustment {
   std::vector<JointPass> passes;
   Corrections trajectory;                                  ///< at the control times
   std::vector<Vec2> trajectory_sigmas, trajectory_priors;  ///< standard deviations after and before
-  BuildingOffsets model;  ///< of all strips, those not seen included
+  /// Corrections of the control heights, standard deviations after and before; 0 and as before where no ground tells.
+  std::vector<double> heights_m, height_sigmas_m, height_priors_m;
+  std::vector<GroundRise> ground;  ///< what told the heights; empty: they stay
+  double ground_chi_square = 0;    ///< with as many degrees of freedom
+  BuildingOffsets model;           ///< of all strips, those not seen included
   std::vector<Vec2> block_sigmas;
   std::vector<double> facade_sigmas, strip_sigmas;
   std::vector<double>
@@ -52,6 +57,14 @@ struct JointAdjustment {
   double weak_share = 1;
   Eigen::MatrixXd covariance;  ///< of (T_x, T_y, d_x, d_y, turns); empty unless asked for
   std::string parameters_json;
+
+  double height_at(const TimePlace& at) const { return along(heights_m, at); }
+  double height_sigma_at(const TimePlace& at) const { return along(height_sigmas_m, at); }
+
+ private:
+  static double along(const std::vector<double>& list, const TimePlace& at) {
+    return list[at.epoch] * (1 - at.share) + list[at.epoch + 1] * at.share;
+  }
 };
 using JointAdjustmentPtr = std::shared_ptr<const JointAdjustment>;
 
@@ -60,7 +73,8 @@ using JointAdjustmentPtr = std::shared_ptr<const JointAdjustment>;
 constexpr double kHeldShare = 0.01;
 
 /// The loop of Monnier (2014): match, adjust, move; the prior stays the one given. It ends when no match changes,
-/// when nothing moves by more than tolerance_m, or after most_passes. model: of strips.
+/// when nothing moves by more than tolerance_m, or after most_passes. Then, with sigma_ground_m, the heights by the
+/// ground. model: of strips.
 JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud, const Trajectory& trajectory,
                                const JointSettings& settings, Task& task);
 

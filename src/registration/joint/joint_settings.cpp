@@ -36,6 +36,13 @@ constexpr auto kJointRows = setting_rows(
                                          "The same about the axis across the vehicle."),
     number_row<&S::sigma_heading_bias_rad>("sigma_heading_bias_rad", 0, kGreatestBias_rad, "rad",
                                            "", "The same about the vehicle's upright axis."),
+    number_row<&S::sigma_ground_m>(
+        "sigma_ground_m", 0, 1000, "m", "",
+        "Standard deviation of the model's ground, by which the drive's heights are adjusted; 0: "
+        "they stay."),
+    number_row<&S::ground_correlation_m>(
+        "ground_correlation_m", 0.01, 1e5, "m", "",
+        "The ground's errors hang together: their correlation is 1/e after this way driven."),
     doubles_row<&S::control_points>(
         "control_points", -1e9, 1e9, "", "",
         "Points whose place is known, six numbers each: when it was seen (s), x and y that the "

@@ -17,6 +17,7 @@ struct JointSettings {
   enum class SetBack { kEither, kBehind } set_back = SetBack::kEither;
   double strip_correlation_m = 0;
   double sigma_roll_bias_rad = 0, sigma_pitch_bias_rad = 0, sigma_heading_bias_rad = 0;
+  double sigma_ground_m = 0, ground_correlation_m = 25;
   std::vector<double> control_points{};
   double control_s = 1;
   enum class Matches { kRays, kIds } matches = Matches::kRays;

@@ -83,6 +83,18 @@ std::string angles_mdeg(const JointAdjustment& a) {
   return out;
 }
 
+std::string heights_told(const JointAdjustment& a) {
+  double greatest = 0, before = 0, after = 0;
+  const auto n = static_cast<double>(a.heights_m.size());
+  for (size_t c = 0; c < a.heights_m.size(); ++c) {
+    greatest = std::max(greatest, std::fabs(a.heights_m[c]));
+    before += a.height_priors_m[c] / n, after += a.height_sigmas_m[c] / n;
+  }
+  return "corrected by up to " + length_mm(greatest) + " mm in " + grouped(a.ground.size()) +
+         " intervals, standard deviation " + length_mm(before) + " mm before, " + length_mm(after) +
+         " mm after";
+}
+
 void add_outcome(Page& page, const JointAdjustment& a) {
   const SigmaMeans sigmas = sigma_means(a);
   std::vector<std::pair<std::string, std::string>> rows{
@@ -95,6 +107,7 @@ void add_outcome(Page& page, const JointAdjustment& a) {
                                             " degrees of freedom, p " + text_of(a.p_value, 4)}};
   if (!(a.attitude_bias_sigmas_rad == Vec3{}))
     rows.push_back({"roll, pitch, heading off by a constant", angles_mdeg(a)});
+  if (!a.ground.empty()) rows.push_back({"heights by the ground", heights_told(a)});
   if (std::isfinite(a.wrong_share))
     rows.push_back({"matches to another strip than the cloud says",
                     text_of(100 * a.wrong_share, 2) + " %, to another facade " +

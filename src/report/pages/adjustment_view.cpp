@@ -29,7 +29,7 @@ CloudPtr cloud_of_points(const JointAdjustment& a, bool moved) {
     Vec3 p = points.at[i];
     if (moved) {
       const Vec2 by = a.trajectory.at(points.places[i]);
-      p = p + Vec3{by.u, by.v, 0};
+      p = p + Vec3{by.u, by.v, a.ground.empty() ? 0 : a.height_at(points.places[i])};
     }
     for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = p[k];
   }

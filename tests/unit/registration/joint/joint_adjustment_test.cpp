@@ -8,6 +8,8 @@
 #include <string>
 
 #include "base/error.h"
+#include "model/part_classes.h"
+#include "registration/joint/adjusted.h"
 #include "scan/mobile/drive_scenario.h"
 
 using namespace jalon;
@@ -149,6 +151,49 @@ TEST_CASE("adjust_jointly__with_wrong_priors__fails_its_test_of_the_model") {
   };
   CHECK(p(right) > 0.001);
   CHECK(p(wrong) < 1e-6);
+}
+
+// A drive that is 0.4 m too high over its whole length, above a model with ground.
+TEST_CASE("adjust_jointly__with_ground__brings_drive_and_cloud_to_its_height") {
+  DriveScenarioSettings from = small_drive();
+  from.closed = true;
+  Task task;
+  const DriveScenario made = drive_scenario(from, task);
+  Trajectory high = made.trajectory;
+  for (Vec3& p : high.positions) p.z += 0.4;
+  Buffer<double> xyz(3 * made.cloud.size());
+  for (size_t i = 0; i < xyz.size(); ++i) xyz[i] = made.cloud.xyz()[i] + (i % 3 == 2 ? 0.4 : 0);
+  Cloud cloud = make_cloud(std::move(xyz));
+  cloud.fields = made.cloud.fields;
+  JointSettings settings = settings_of(from);
+  const JointAdjustment free = adjust_jointly(made.model, cloud, high, settings, task);
+  CHECK(free.ground.empty());
+  CHECK(free.heights_m[3] == 0);
+  CHECK(adjusted_trajectory(free, high).positions[7].z == high.positions[7].z);
+  settings.sigma_ground_m = 0.05;
+  const JointAdjustment held = adjust_jointly(made.model, cloud, high, settings, task);
+  CHECK(held.ground.size() + 3 > held.heights_m.size());
+  CHECK(held.trajectory.by_m == free.trajectory.by_m);  // walls know nothing of heights
+  const Trajectory drive = adjusted_trajectory(held, high);
+  const Cloud moved = adjusted_cloud(held, high, cloud, task);
+  const auto truth = made.cloud.fields.require("true_xyz").values<double>();
+  for (size_t i = 0; i < drive.size(); i += 37) {
+    CHECK(std::fabs(drive.positions[i].z - made.trajectory.positions[i].z) < 0.05);
+    CHECK(drive.position_sigmas_m[i].z < 0.06);
+    CHECK(drive.position_sigmas_m[i].z < high.position_sigmas_m[i].z);
+  }
+  for (uint32_t i = 0; i < moved.size(); i += 997)
+    CHECK(std::fabs(moved.point(i).z - truth[3 * size_t{i} + 2]) < 0.05);
+  DriveScenario bare = made;
+  std::erase_if(bare.model.faces, [&](const Face& face) {
+    return bare.model.parts[face.part].part_class == part_class::kGround;
+  });
+  try {
+    adjust_jointly(bare.model, cloud, high, settings, task);
+    FAIL("not refused");
+  } catch (const Error& e) {
+    CHECK(std::string(e.what()).find("the model has no ground") != std::string::npos);
+  }
 }
 
 TEST_CASE("adjust_jointly__of_impossible_input__names_what_is_wrong") {
