@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "registration/joint/joint_residuals.h"
+#include "unit/registration/joint/joint_bands.h"
 #include "unit/registration/joint/joint_street.h"
 
 using namespace jalon;
@@ -69,15 +70,21 @@ TEST_CASE("solve_reduced__of_five_scenarios__has_standard_normal_residuals_over_
     std::vector<Residuals> groups(kJointGroups);
     OverDraws chi, whitened;
     OverDraws within;
+    std::vector<DrawBands> bands(kJointGroups);
+    std::array<DrawBands, kJointGroups> foretold;
+    ErrorsLeft left;
     for (int draw = 0; draw < draws; ++draw) {
       const JointErrors e = drawn_errors(street, problem, 5000 + static_cast<uint64_t>(draw));
       set_distances(problem, e, perfect.strip_of);
       const JointSolution solution = solve_reduced(problem, JointWanted::kCovariance);
       const JointTruth truth = truth_of(e, perfect.strip_of);
       const auto z = normalised_residuals(solution, truth);
+      left.add(solution, truth);
+      if (draw == 0 && draws >= kDrawsOfBands) foretold = foretold_bands(solution);
       double in = 0, all = 0;
       for (size_t g = 0; g < kJointGroups; ++g) {
         groups[g].add(z[g]);
+        bands[g].add(z[g]);
         for (const double v : z[g]) in += std::fabs(v) <= 3 ? 1 : 0;
         all += static_cast<double>(z[g].size());
       }
@@ -96,6 +103,18 @@ TEST_CASE("solve_reduced__of_five_scenarios__has_standard_normal_residuals_over_
             ", blocks x ", groups[kBlocksX].square.mean(), ", facades ",
             groups[kFacades].square.mean(), ", strips ", groups[kStrips].square.mean(),
             ", share within 3 sigma ", within.mean());
+    if (draws < kDrawsOfBands) continue;
+    for (size_t g = 0; g < kJointGroups; ++g) {
+      MESSAGE("FIGURE joint, scenario ", number, ", ", draws, " draws, ",
+              std::string(kJointGroupNames[g]),
+              ": 95 % of |mean|; spreads; 95 % of max: ", bands[g].told(),
+              foretold[g].is_empty() ? "" : ", foretold " + foretold[g].told(),
+              ", street of 272 strips ",
+              std::string(kStreetBands[static_cast<size_t>(number - 1)][g]));
+      if (!foretold[g].is_empty()) CHECK(bands[g].worst_ratio(foretold[g]) < 1.1);
+    }
+    MESSAGE("FIGURE joint, scenario ", number, ", ", draws, " draws, ", left.told());
+    left.check_reductions(number);
   }
 }
 
