@@ -13,9 +13,9 @@ void knn_group_baseline(const Candidates& candidates, KnnGroup& group) {
 }
 void nearest_on_grid_baseline(const OctreeView& tree, const int32_t* query, uint32_t size,
                               float* squared, uint32_t* position) {
-  for (uint32_t j = 0; j < size; ++j) squared[j] = __builtin_inff();
-  NearestList list{squared, position, size};
+  NearestList list(size);
   nearest(tree, query, list);
+  list.copy(squared, position);
 }
 
 }  // namespace jalon

@@ -51,8 +51,9 @@ bool gather_candidates_avx2(const OctreeView& tree, const GridBox& box, Candidat
 /// The k + 1 nearest candidates of every query of the group.
 void knn_group_baseline(const Candidates& candidates, KnnGroup& group);
 void knn_group_avx2(const Candidates& candidates, KnnGroup& group);
+constexpr uint32_t kMostOnGrid = 257;  ///< points that are asked for at most
 /// The size points nearest to a grid point by their distance on the grid, ascending; room for size in both. Places that
-/// stay empty keep infinity.
+/// stay empty have infinity.
 void nearest_on_grid_baseline(const OctreeView& tree, const int32_t* query, uint32_t size,
                               float* squared, uint32_t* position);
 void nearest_on_grid_avx2(const OctreeView& tree, const int32_t* query, uint32_t size,

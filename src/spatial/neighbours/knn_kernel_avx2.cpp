@@ -11,9 +11,9 @@ bool gather_candidates_avx2(const OctreeView& tree, const GridBox& box, Candidat
 void knn_group_avx2(const Candidates& candidates, KnnGroup& group) { search(candidates, group); }
 void nearest_on_grid_avx2(const OctreeView& tree, const int32_t* query, uint32_t size,
                           float* squared, uint32_t* position) {
-  for (uint32_t j = 0; j < size; ++j) squared[j] = __builtin_inff();
-  NearestList list{squared, position, size};
+  NearestList list(size);
   nearest(tree, query, list);
+  list.copy(squared, position);
 }
 
 }  // namespace jalon

@@ -47,6 +47,7 @@ size_t for_each_of_nearest(const Octree::Impl& tree, const Vec3& q, uint32_t k, 
 
 bool nearest_by_grid(const Octree::Impl& tree, const int32_t (&query)[3], bool is_exact, uint32_t k,
                      uint32_t* to) {
+  static_assert(kMostByGrid < kMostOnGrid);
   float squared[kMostByGrid + 1];
   uint32_t found[kMostByGrid + 1];
   const auto nearest = use_avx2() ? nearest_on_grid_avx2 : nearest_on_grid_baseline;
