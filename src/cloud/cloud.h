@@ -42,12 +42,20 @@ class IndexSlot {
   /// Replaces it by a tree on this cube unless it has it already.
   std::shared_ptr<const Octree> get_on(std::span<const double> xyz, const Cube& cube, Task& task);
 
+  /// What was made of the points and may be wanted again soon. The slot does not keep it alive.
+  struct Remembered {
+    virtual ~Remembered() = default;
+  };
+  void remember(const std::shared_ptr<Remembered>& made);
+  std::shared_ptr<Remembered> remembered();
+
  private:
   std::shared_ptr<const Octree> build(std::span<const double> xyz, const Cube* cube, Task& task);
   std::mutex mutex_;
   std::condition_variable changed_;
   bool building_ = false;
   std::shared_ptr<const Octree> tree_;
+  std::weak_ptr<Remembered> remembered_;
 };
 
 /// Points + fields + stations + CRS. A value: copies share the storage; the points are never changed. Functions that

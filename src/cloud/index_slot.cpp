@@ -47,6 +47,16 @@ std::shared_ptr<const Octree> IndexSlot::get_on(std::span<const double> xyz, con
   return build(xyz, &cube, task);
 }
 
+void IndexSlot::remember(const std::shared_ptr<Remembered>& made) {
+  const std::lock_guard lock(mutex_);
+  remembered_ = made;
+}
+
+std::shared_ptr<IndexSlot::Remembered> IndexSlot::remembered() {
+  const std::lock_guard lock(mutex_);
+  return remembered_.lock();
+}
+
 std::shared_ptr<const Octree> IndexSlot::build(std::span<const double> xyz, const Cube* cube,
                                                Task& task) {
   // 1. Use what is there, or become the one builder, or wait for it.

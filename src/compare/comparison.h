@@ -32,6 +32,7 @@ struct Comparison {
   FieldTable summary;  ///< one row
   FieldTable parts;    ///< one row a part of a reference model with parts; else without columns
   std::string parameters_json;
+  std::shared_ptr<const void> kept;  ///< for a comparison the other way round
 };
 using ComparisonPtr = std::shared_ptr<const Comparison>;
 

@@ -13,6 +13,7 @@
 #include "cloud/statistics.h"
 #include "compare/detection/coherence.h"
 #include "compare/detection/found_stations.h"
+#include "compare/detection/kept_cores.h"
 #include "compare/summary.h"
 #include "spatial/neighbours/nearest.h"
 
@@ -112,21 +113,36 @@ void add_choice(const CoreTests& tests, uint64_t stations, double rate, FieldTab
                       stations);
 }
 
+CorePair cores_of(const Cloud& reference, const Cloud& compared, const Vec3& origin, Task& task) {
+  CorePair out;
+  {
+    const ProgressSpan span(task, 0, 0.5, "surfaces");
+    out.reference = std::make_shared<const SurfaceCores>(reference, origin, task);
+  }
+  const ProgressSpan span(task, 0.5, 1, "surfaces");
+  out.compared = std::make_shared<const SurfaceCores>(compared, origin, task);
+  return out;
+}
+
+// The same for both ways of a comparison, which so have the same surfaces.
+Vec3 common_origin(const Cloud& a, const Cloud& b, Task& task) {
+  const Vec3 p = local_origin(a, task), q = local_origin(b, task);
+  return {std::min(p.x, q.x), std::min(p.y, q.y), std::min(p.z, q.z)};
+}
+
 }  // namespace
 
 void add_detection(const CloudPtr& reference, const CloudPtr& compared, bool use_stations,
                    const DetectionRates& rates, Comparison& made, Task& task) {
-  const Vec3 origin = local_origin(*reference, task);
+  const Vec3 origin = common_origin(*reference, *compared, task);
   // 1. Surfaces of both.
-  std::optional<SurfaceCores> surfaces, cores;
-  {
-    const ProgressSpan span(task, 0, 0.35, "surfaces");
-    surfaces.emplace(*reference, origin, task);
+  CorePair pair = take_kept_cores(*reference, *compared, origin, task);
+  const bool is_kept = pair.reference != nullptr;
+  if (!is_kept) {
+    const ProgressSpan span(task, 0, 0.7);
+    pair = cores_of(*reference, *compared, origin, task);
   }
-  {
-    const ProgressSpan span(task, 0.35, 0.7, "surfaces");
-    cores.emplace(*compared, origin, task);
-  }
+  const SurfaceCores &surfaces = *pair.reference, &cores = *pair.compared;
   // 2. What the reference's stations saw.
   std::optional<Sights> sights;
   if (use_stations && has_all_stations(*reference)) {
@@ -135,13 +151,13 @@ void add_detection(const CloudPtr& reference, const CloudPtr& compared, bool use
   }
   // 3. Tests; 4. their points.
   const ProgressSpan span(task, 0.8, 1, "significance");
-  CoreTests tests = test_cores(*surfaces, *cores, made.points.require("distance").values<double>(),
+  CoreTests tests = test_cores(surfaces, cores, made.points.require("distance").values<double>(),
                                sights ? &*sights : nullptr, origin, rates, task);
-  settle_together(*surfaces, *cores, tests, task);
-  Spreader spreader(*surfaces, tests, *compared, origin, made);
+  settle_together(surfaces, cores, tests, task);
+  Spreader spreader(surfaces, tests, *compared, origin, made);
   const auto order = compared->octree(task)->order();
-  const auto core_order = cores->tree().order();
-  for_each_nearest(cores->tree(), *compared->octree(task), std::numeric_limits<double>::infinity(),
+  const auto core_order = cores.tree().order();
+  for_each_nearest(cores.tree(), *compared->octree(task), std::numeric_limits<double>::infinity(),
                    task, [&](const NearestBatch& batch) {
                      for (size_t j = 0; j < batch.count; ++j)
                        spreader.spread(core_order[batch.nearest[j]], order[batch.first + j]);
@@ -153,6 +169,7 @@ void add_detection(const CloudPtr& reference, const CloudPtr& compared, bool use
     if (summary.find(column->info().name) == nullptr) summary.set(column);
   made.summary = std::move(summary);
   add_choice(tests, sights ? reference->stations.size() : 0, rates.false_discovery, made.summary);
+  if (!is_kept) made.kept = keep_cores(*reference, std::move(pair));
 }
 
 }  // namespace jalon

@@ -61,14 +61,14 @@ double SurfaceCore::aside2(const Vec3& p) const {
 }
 
 SurfaceCores::SurfaceCores(const Cloud& cloud, const Vec3& origin, Task& task) : origin_(origin) {
-  const auto tree = cloud.octree(task);
+  points_ = cloud.octree(task);
   const size_t n = (cloud.size() + kCoreStride - 1) / kCoreStride;
   cores_.resize(n);
   xyz_ = Buffer<double>(3 * n);
   parallel_for(task, n, kCoreGrain, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k) {
       const size_t at = std::min(kCoreStride * k + kCoreStride / 2, cloud.size() - 1);
-      cores_[k] = core_at(cloud, *tree, tree->order()[at], origin);
+      cores_[k] = core_at(cloud, *points_, points_->order()[at], origin);
       const Vec3 p = cloud.point(cores_[k].point);
       for (int c = 0; c < 3; ++c) xyz_.data()[3 * k + static_cast<size_t>(c)] = p[c];
     }

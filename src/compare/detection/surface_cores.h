@@ -39,6 +39,10 @@ class SurfaceCores {
   size_t nearest(const Vec3& place, uint32_t k, std::span<Neighbour> out) const;
   /// Of their points, in the cloud's own coordinates.
   const Octree& tree() const { return *tree_; }
+  /// Are they of the points of this tree, relative to this origin?
+  bool is_of(const Octree& points, const Vec3& origin) const {
+    return points_.get() == &points && origin_ == origin;
+  }
   /// What the scatter of points about planes is where the surface is smooth: noise. 0 without planes.
   double noise_m() const { return noise_m_; }
 
@@ -47,7 +51,7 @@ class SurfaceCores {
   std::vector<SurfaceCore> cores_;
   Vec3 origin_;
   Buffer<double> xyz_;
-  std::shared_ptr<const Octree> tree_;
+  std::shared_ptr<const Octree> points_, tree_;
   double noise_m_ = 0;
 };
 
