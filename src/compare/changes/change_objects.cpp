@@ -82,7 +82,8 @@ class Grower {
   }
 
   void grow_both(const Indices& seeds_before, const Indices& seeds_after, ChangedObject& out) {
-    both([&](EpochWindow& epoch) { epoch.part(out.supports, cell_m_, task_); });
+    // One after the other, each on all threads: at once they would hold twice as much.
+    for (EpochWindow* epoch : {&in_before_, &in_after_}) epoch->part(out.supports, cell_m_, task_);
     for (const uint32_t i : seeds_before) in_before_.take(i);
     for (const uint32_t i : seeds_after) in_after_.take(i);
     for (int turn = 0; turn < kTurns; ++turn) {

@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/parallel.h"
 #include "spatial/octree/walk.h"
 #include "spatial/voxels/components.h"
 
 namespace jalon {
 
 namespace {
+
+constexpr size_t kWindowGrain = 1 << 14;
 
 // May a ball about points hold any of the box? Both local.
 bool may_meet(const Box3& box, const Vec3& centre, double radius_m) {
@@ -52,14 +55,22 @@ void EpochWindow::look(const Box3& box, Task& task) {
 }
 
 void EpochWindow::part(const std::vector<Support>& supports, double cell_m, Task& task) {
-  std::vector<double> xyz;
   labels_.assign(points_.size(), 0);
+  parallel_for(task, points_.size(), kWindowGrain, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      const Vec3 p = epoch_.local(points_[k]);
+      const bool is_held = std::any_of(supports.begin(), supports.end(),
+                                       [&](const Support& s) { return s.holds(p); });
+      labels_[k] = is_held ? 0 : 1;
+    }
+  });
+  // Its size is known before: a window may hold all points, which a vector that grows would have twice.
+  std::vector<double> xyz;
+  xyz.reserve(3 * static_cast<size_t>(std::count(labels_.begin(), labels_.end(), 1u)));
   for (size_t k = 0; k < points_.size(); ++k) {
+    if (labels_[k] == 0) continue;
     const Vec3 p = epoch_.local(points_[k]);
-    if (std::any_of(supports.begin(), supports.end(), [&](const Support& s) { return s.holds(p); }))
-      continue;
     xyz.insert(xyz.end(), {p.x, p.y, p.z});
-    labels_[k] = 1;
   }
   const Components pieces = connected_components(xyz, {}, cell_m, Connectivity3::k26, 1, task);
   size_t next = 0;
