@@ -7,6 +7,7 @@
 #include "cli/comparing/direction.h"
 #include "cli/comparing/extras.h"
 #include "cli/comparing/field_steps.h"
+#include "cli/comparing/later_fields.h"
 #include "cli/inputs/compare_inputs.h"
 #include "cli/outputs/compare_listing.h"
 #include "cli/lengths.h"
@@ -36,17 +37,17 @@ struct Compare {
   bool is_one_way = false, is_forced = false;
 
   /// A file read: a scan, or a model and points on it.
-  struct Epoch {
+  struct Epoch : ReadScan {
     Model model;
-    Cloud cloud;
     Lengths lengths;
     jalon_box box{};
   };
 
-  Epoch read(Console& console, const Input& input, bool with_points) const {
+  Epoch read(Console& console, const Input& input, bool with_points, bool is_lean) const {
     Epoch out;
     if (!is_model_file(input.path)) {
-      out.cloud = input.read(console);
+      static_cast<ReadScan&>(out) =
+          is_lean ? read_to_compare(console, input) : ReadScan{input.read(console)};
       out.lengths = Lengths::of(input, out.cloud);
       out.box = box_of(out.cloud);
       return out;
@@ -134,16 +135,6 @@ struct Compare {
         forward.comparison.get(), folder.path("distances.svg").c_str(), nullptr, console.task()));
   }
 
-  // Distances of nothing are no result.
-  void require_compared(const Direction& forward, const Direction& reverse) const {
-    uint64_t points = forward.summary->count("compared", 0);
-    if (reverse.summary != nullptr) points += reverse.summary->count("compared", 0);
-    if (points == 0)
-      throw Failure{JALON_ERROR_DEGENERATE,
-                    "no point of " + compared.path + " has a distance from " + reference.path +
-                        ": they may lie apart or have other units; nothing is written"};
-  }
-
   // How the two sides are compared.
   struct Plan {
     bool both = false;       ///< each with the other
@@ -161,13 +152,17 @@ struct Compare {
     return out;
   }
 
-  // Fields, outlines and tables of what was found.
-  void write_changes(const Console& console, OutputFolder& folder, const Direction& forward,
-                     const Direction& reverse, const Fields& found, const Plan& plan,
-                     const Cloud& compared_points) const {
-    const PathOf path_of = [&](const std::string& name) { return folder.path(name); };
-    write_both(console, path_of, compared_points, "compared");
-    if (plan.both) write_both(console, path_of, reverse.cloud(), "reference");
+  // Do only distances and their diagnosis count, which need no fields of the points?
+  bool may_wait_for_fields(const Plan& plan, const Params& change_options) const {
+    const char* criterion = nullptr;
+    must(jalon_params_get_string(change_options.get(), "criterion", &criterion));
+    return plan.diagnosed && !steps.is_given() && !extras.is_given() &&
+           std::string(criterion) != "field";
+  }
+
+  // Outlines of what was found.
+  void write_outlines(const Console& console, OutputFolder& folder, const Direction& forward,
+                      const Direction& reverse, const Fields& found, const Plan& plan) const {
     Model outlines;
     must(jalon_comparison_outlines(forward.comparison.get(), forward.points.get(),
                                    reverse.comparison.get(), reverse.points.get(),
@@ -252,7 +247,9 @@ struct Compare {
     steps.check();
     const Params options = change_options(plan.diagnosed ? "diagnosis" : "regions");
     console.step("reading");
-    const Epoch after = read(console, compared, true), before = read(console, reference, plan.both);
+    const bool is_lean = may_wait_for_fields(plan, options);
+    const Epoch after = read(console, compared, true, is_lean),
+                before = read(console, reference, plan.both, is_lean);
     const bool of_scans = method == "distance" && before.model == nullptr && after.model == nullptr;
     if (of_scans) choose_for_scans(before.cloud, after.cloud, plan.both, settings, params);
     Json times{{"read", console.seconds()}};
@@ -263,7 +260,7 @@ struct Compare {
     console.step("comparing");
     Direction forward = run_to(console, worker, before, after), reverse;
     if (plan.both) reverse = run_to(console, worker, after, before);
-    require_compared(forward, reverse);
+    require_compared(reference.path, compared.path, forward, reverse);
     warn_of_misalignment(console, *forward.summary);
     const Json third = extras.use_third_epoch(console, worker.get(), after.cloud, forward);
     if (of_scans)
@@ -275,10 +272,17 @@ struct Compare {
     times["changes"] = console.seconds();
     console.step("writing");
     OutputFolder folder(output);
-    const Cloud points = forward.cloud();
+    const PathOf path_of = [&](const std::string& name) { return folder.path(name); };
     Json done = Json::array();
-    if (steps.is_given()) done = steps.run(console, points, before.cloud);
-    write_changes(console, folder, forward, reverse, found, plan, points);
+    if (steps.is_given()) {
+      const Cloud points = forward.cloud();
+      done = steps.run(console, points, before.cloud);
+      write_both(console, path_of, points, "compared");
+    } else {
+      write_points(console, path_of, "compared", compared, after, forward);
+    }
+    if (plan.both) write_points(console, path_of, "reference", reference, before, reverse);
+    write_outlines(console, folder, forward, reverse, found, plan);
     write_report(console, folder, forward, reverse, found, options, times, plan.shadows, lengths);
     const Table changes(std::move(found));
     const std::string list = plan.diagnosed ? "changes" : "regions";
@@ -287,7 +291,6 @@ struct Compare {
     result[list] = changes.list();
     if (!third.is_null()) result["third_epoch"] = third;
     if (!done.empty()) result["then"] = std::move(done);
-    const PathOf path_of = [&](const std::string& name) { return folder.path(name); };
     extras.write(console, path_of, {before.model, before.cloud}, {after.model, after.cloud},
                  forward, result);
     write_text_file(folder.path("comparison.json"),

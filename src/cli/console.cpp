@@ -81,7 +81,7 @@ int32_t Console::on_progress(double fraction, const char* stage, void* user) {
 void Console::on_log(int32_t level, const char* text, void* user) {
   auto& console = *static_cast<Console*>(user);
   if (level == JALON_LOG_INFO) console.told_.emplace_back(text);
-  if (level < JALON_LOG_WARNING || console.common_.quiet) return;
+  if (level < JALON_LOG_WARNING || console.common_.quiet || console.are_warnings_known_) return;
   console.clear_bar();
   std::fprintf(stderr, "jalon: warning: %s\n", text);
 }

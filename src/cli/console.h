@@ -40,6 +40,8 @@ class Console {
   void say(const std::string& line) const;
   /// What a person should look at: a line on standard error unless quiet.
   void warn(const std::string& line) const;
+  /// Whether warnings of the library are passed over: of a file that is read again they were told.
+  void pass_over_warnings(bool are_known) { are_warnings_known_ = are_known; }
   /// Result for scripts: printed with --json.
   void result(const nlohmann::ordered_json& object) const;
 
@@ -50,7 +52,7 @@ class Console {
 
   Common common_;
   Task task_;
-  bool terminal_, bar_shown_ = false;
+  bool terminal_, bar_shown_ = false, are_warnings_known_ = false;
   std::string step_;
   std::vector<std::string> told_;
   std::chrono::steady_clock::time_point started_;

@@ -30,6 +30,16 @@ t = d["third_epoch"]
 assert t["hidden"] == d["summary"]["hidden"] >= t["probably_unchanged"] + t["changed_meanwhile"] > 0, t
 assert len(open("all/volumes.csv").readlines()) > v["cells"]'
 
+# The fields of a LAS file are read when its points are written; another format's come with the points.
+judge "LAS as PLY" "$jalon" convert day1.las day1.ply --quiet
+judge "compare reads fields later" "$jalon" compare day1.las day3.las -o later --json --quiet
+judge "compare reads fields at once" "$jalon" compare day1.ply day3.las -o once --json --quiet
+judge "the points compared are the same with their fields" cmp later/compared.ply once/compared.ply
+judge "so are those of the reference" python3 -c '
+fields = lambda name: sorted(l for l in open(name + "/reference.ply", "rb").read().split(b"end_header")[0].split(b"\n") if l.startswith(b"property"))
+later, once = fields("later"), fields("once")
+assert later == once and any(b"face" in f for f in later) and any(b"evidence" in f for f in later), (later, once)'
+
 # A box of both scans, and one of their own.
 judge "compare reads a box of all scans" "$jalon" compare day1.las day3.las -o boxed --box=-100,-100,-10,30,100,50 --json --quiet
 judge "compare reads a box of one scan" "$jalon" compare day1.las day3.las -o half --compared-box=-100,-100,-10,30,100,50 --json --quiet

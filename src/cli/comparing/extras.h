@@ -24,6 +24,9 @@ class Extras {
  public:
   void add_to(Command& command);
   static std::string tables();
+  bool is_given() const {
+    return with_volumes_ || with_closest_ || with_depth_maps_ || !third_.path.empty();
+  }
 
   /// Refuses what these sides have no answer to, before a long read.
   void check(bool reference_is_model, bool compared_is_model, const std::string& method) const;

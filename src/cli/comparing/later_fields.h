@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstring>
+#include <string>
+
+#include "cli/comparing/direction.h"
+#include "cli/options.h"
+
+namespace jalon::cli {
+
+/// A scan. What its fields hold, most of what a LAS file tells of a point, may be left in the file while it is
+/// compared, and read when its points are written.
+struct ReadScan {
+  Cloud cloud;
+  bool is_partial = false;  ///< of the fields the cloud has those that reports show
+};
+
+/// Is it of a file that is quickly read twice?
+inline bool may_read_later(const Input& input) {
+  const std::string& path = input.path;
+  const std::string end = path.size() > 4 ? path.substr(path.size() - 4) : "";
+  return (end == ".las" || end == ".LAS") && input.fields.empty() && input.max_points == 0 &&
+         input.box.empty() && input.only_station.empty();
+}
+
+/// Without poses of all its points the comparison looks for stations, and its cloud has others than the file.
+inline bool has_all_stations(const Cloud& cloud) {
+  uint64_t stations = 0, placed = 0;
+  must(jalon_cloud_station_count(cloud.get(), &stations));
+  for (uint64_t i = 0; i < stations; ++i) {
+    int32_t has_pose = 0;
+    uint64_t points = 0;
+    must(jalon_cloud_station(cloud.get(), i, nullptr, &has_pose, nullptr, nullptr, &points));
+    placed += has_pose != 0 ? points : 0;
+  }
+  return placed == count_of(cloud);
+}
+
+/// Of the fields of a cloud those that reports show, as an Input names them.
+inline std::string shown_fields(const Cloud& cloud) {
+  Fields fields;
+  must(jalon_cloud_fields(cloud.get(), Out(fields)));
+  std::string names;
+  for (const char* name : {"intensity", "red", "green", "blue"}) {
+    jalon_array_view view;
+    if (jalon_fields_view(fields.get(), name, &view) == JALON_OK)
+      names += (names.empty() ? "" : " ") + std::string(name);
+  }
+  return names.empty() ? "-" : names;
+}
+
+/// The scan, partial where the rest can be read later.
+inline ReadScan read_to_compare(Console& console, const Input& input) {
+  if (!may_read_later(input)) return {input.read(console)};
+  Input lean = input;
+  lean.max_points = 1;
+  lean.fields = shown_fields(lean.read(console));
+  lean.max_points = 0;
+  console.pass_over_warnings(true);
+  ReadScan out{lean.read(console), true};
+  if (!has_all_stations(out.cloud)) out = {input.read(console)};
+  console.pass_over_warnings(false);
+  return out;
+}
+
+/// The points with all their fields, and what was found out of each behind them.
+inline Cloud read_whole(Console& console, const Input& input, const ReadScan& scan,
+                        const Direction& found) {
+  if (!scan.is_partial) return found.cloud();
+  console.pass_over_warnings(true);
+  Cloud out = input.read(console);
+  console.pass_over_warnings(false);
+  jalon_array_view a, b;
+  must(jalon_cloud_points(scan.cloud.get(), &a));
+  must(jalon_cloud_points(out.get(), &b));
+  if (a.count != b.count || std::memcmp(a.data, b.data, a.count * 3 * sizeof(double)) != 0)
+    throw Failure{JALON_ERROR_IO, input.path + " was changed while it was compared"};
+  Fields points;
+  must(jalon_comparison_points(found.comparison.get(), Out(points)));
+  add_columns(out, points);
+  add_columns(out, found.points);
+  return out;
+}
+
+inline void write_points(Console& console, const PathOf& path_of, const char* name,
+                         const Input& input, const ReadScan& scan, const Direction& found) {
+  write_both(console, path_of, read_whole(console, input, scan, found), name);
+}
+
+}  // namespace jalon::cli
