@@ -51,17 +51,24 @@ inline std::string shown_fields(const Cloud& cloud) {
   return names.empty() ? "-" : names;
 }
 
+inline Cloud read_again(Console& console, const Input& input) {
+  console.pass_over_warnings(true);
+  Cloud out = input.read(console);
+  console.pass_over_warnings(false);
+  return out;
+}
+
 /// The scan, partial where the rest can be read later.
 inline ReadScan read_to_compare(Console& console, const Input& input) {
   if (!may_read_later(input)) return {input.read(console)};
   Input lean = input;
   lean.max_points = 1;
+  console.pass_over_warnings(true);  // of one point
   lean.fields = shown_fields(lean.read(console));
-  lean.max_points = 0;
-  console.pass_over_warnings(true);
-  ReadScan out{lean.read(console), true};
-  if (!has_all_stations(out.cloud)) out = {input.read(console)};
   console.pass_over_warnings(false);
+  lean.max_points = 0;
+  ReadScan out{lean.read(console), true};
+  if (!has_all_stations(out.cloud)) out = {read_again(console, input)};
   return out;
 }
 
@@ -69,9 +76,7 @@ inline ReadScan read_to_compare(Console& console, const Input& input) {
 inline Cloud read_whole(Console& console, const Input& input, const ReadScan& scan,
                         const Direction& found) {
   if (!scan.is_partial) return found.cloud();
-  console.pass_over_warnings(true);
-  Cloud out = input.read(console);
-  console.pass_over_warnings(false);
+  Cloud out = read_again(console, input);
   jalon_array_view a, b;
   must(jalon_cloud_points(scan.cloud.get(), &a));
   must(jalon_cloud_points(out.get(), &b));
