@@ -63,7 +63,9 @@ double kolmogorov_threshold(size_t n, uint64_t m, double error_margin) {
 }
 
 double kolmogorov_distance(std::span<double> cumulative) {
-  std::sort(cumulative.begin(), cumulative.end());
+  // Those of ascending values ascend already, but for rounding.
+  if (!std::is_sorted(cumulative.begin(), cumulative.end()))
+    std::sort(cumulative.begin(), cumulative.end());
   const auto n = static_cast<double>(cumulative.size());
   double most = 0;
   for (size_t i = 0; i < cumulative.size(); ++i) {

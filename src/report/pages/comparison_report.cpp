@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.h"
+#include "base/numbers.h"
 #include "base/setting_rows.h"
 #include "compare/landslide/cell_table.h"
 #include "report/charts/distance_chart.h"
@@ -168,11 +169,12 @@ void add_detection(Page& page, const Comparison& forward, const Comparison* reve
       if (significant.number(i) != 0) ++found;
       if (const double at = level.number(i); at >= 0) levels.push_back(at);
     }
-    std::sort(levels.begin(), levels.end());
     const auto quantile = [&](double share) {
-      return levels.empty()
-                 ? NAN
-                 : levels[static_cast<size_t>(share * static_cast<double>(levels.size() - 1))];
+      if (levels.empty()) return kNaN;
+      const auto at = levels.begin() +
+                      static_cast<std::ptrdiff_t>(share * static_cast<double>(levels.size() - 1));
+      std::nth_element(levels.begin(), at, levels.end());
+      return *at;
     };
     html.open("tr");
     html.element("td", {}, name);

@@ -34,7 +34,7 @@ size_t for_each_of_nearest(const Octree::Impl& tree, const Vec3& q, uint32_t k, 
   std::vector<uint32_t> many(k > kMostByGrid ? std::min<size_t>(k, tree.count) : 0);
   uint32_t* positions = k > kMostByGrid ? many.data() : few.data();
   int32_t query[3];
-  const bool by_grid = k > 1 && k <= kMostByGrid && k < tree.count && !tree.has_exact_boxes() &&
+  const bool by_grid = k > 0 && k <= kMostByGrid && k < tree.count && !tree.has_exact_boxes() &&
                        place_on_grid(tree, q, query) &&
                        nearest_by_grid(tree, query, false, k, positions);
   const size_t found = by_grid ? k : tree.nearest_of_place(q, k, positions);
