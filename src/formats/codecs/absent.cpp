@@ -39,9 +39,7 @@ int32_t jc_e57_open(JcSource, JcE57**, uint64_t*, JcMessage) { return 1; }
 void jc_e57_close(JcE57*) {}
 int32_t jc_e57_crs(JcE57*, const char**, JcMessage) { return 1; }
 int32_t jc_e57_scan(JcE57*, uint64_t, JcScan*, JcMessage) { return 1; }
-int32_t jc_e57_column(JcE57*, uint64_t, uint64_t, JcColumn*, JcMessage) { return 1; }
-int32_t jc_e57_start(JcE57*, uint64_t, JcMessage) { return 1; }
-int32_t jc_e57_read(JcE57*, double*, uint64_t, uint64_t*, JcMessage) { return 1; }
+int32_t jc_e57_column(JcE57*, uint64_t, uint64_t, JcColumn*, JcPacking*, JcMessage) { return 1; }
 int32_t jc_e57_create(JcSink, const char*, const char*, JcE57Writing**, JcMessage) { return 1; }
 int32_t jc_e57_begin(JcE57Writing*, const char*, const char*, const double*, const JcColumn*,
                      uint64_t, JcMessage) {

@@ -76,7 +76,9 @@ struct JcSource {
 };
 struct JcScan {
   const char* name;
-  uint64_t records, columns;
+  uint64_t records;
+  uint64_t section;  ///< offset in the file of what holds the records
+  uint64_t columns;
   int32_t has_pose;
   double rotation[4];  ///< w x y z
   double translation[3];
@@ -88,17 +90,18 @@ struct JcColumn {
   double min, max;       ///< of integers, scaled ones before they are
   double scale, offset;  ///< of scaled integers
 };
+/// How the values of a column stand in its stream of bits.
+struct JcPacking {
+  int64_t least;  ///< of integers: taken off
+  uint32_t bits;  ///< of a value; 0: all are the least
+};
 /// Texts live as long as the document.
 int32_t jc_e57_open(JcSource source, JcE57** out, uint64_t* scans, JcMessage message);
 void jc_e57_close(JcE57* document);
 int32_t jc_e57_crs(JcE57* document, const char** out, JcMessage message);
 int32_t jc_e57_scan(JcE57* document, uint64_t scan, JcScan* out, JcMessage message);
 int32_t jc_e57_column(JcE57* document, uint64_t scan, uint64_t column, JcColumn* out,
-                      JcMessage message);
-/// Then its records in order: rows of doubles, as many as *count says, 0 behind the last.
-int32_t jc_e57_start(JcE57* document, uint64_t scan, JcMessage message);
-int32_t jc_e57_read(JcE57* document, double* rows, uint64_t room, uint64_t* count,
-                    JcMessage message);
+                      JcPacking* packing, JcMessage message);
 
 struct JcE57Writing;
 struct JcSink {

@@ -9,9 +9,12 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "formats/codecs/codecs.h"
 #include "formats/e57/e57.h"
 #include "formats/e57/normals.h"
+#include "formats/e57/record_points.h"
+#include "formats/e57/records.h"
 #include "formats/files/endian.h"
 #include "formats/files/finish_cloud.h"
 #include "formats/files/growing_cloud.h"
@@ -22,25 +25,9 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kE57Rows = 16384;         // records between two looks at the task
+constexpr size_t kE57Grain = 4096;
 constexpr uint64_t kMostE57Columns = 256;  // the standard has 21
 constexpr double kE57Quaternion = 1e-3;    // off the length 1
-
-/// A column of the records that becomes a field.
-struct FieldColumn {
-  size_t column = 0;
-  FieldInfo field;
-  double factor = 1, shift = 0;
-  std::optional<size_t> invalid;  ///< the column that says where it has no value
-};
-
-/// Where the columns of a scan's records go.
-struct ScanLayout {
-  size_t position[3] = {};  ///< x y z, or range azimuth elevation
-  bool spherical = false;
-  std::optional<size_t> invalid;
-  std::vector<FieldColumn> fields;
-};
 
 class E57Reader {
  public:
@@ -60,7 +47,7 @@ class E57Reader {
     }
     const char* crs = "";
     call(jc_e57_crs(document_, &crs, message()));
-    Cloud cloud = cloud_.finish();
+    Cloud cloud = cloud_.finish(task_);
     cloud.crs = valid_utf8(crs);
     join_normals(cloud);
     return cloud;
@@ -105,14 +92,19 @@ class E57Reader {
     }
   }
 
-  std::vector<JcColumn> columns_of(uint64_t scan, const JcScan& info) {
+  std::vector<JcColumn> columns_of(uint64_t scan, const JcScan& info,
+                                   std::vector<e57::RecordColumn>* packed = nullptr) {
     if (info.columns > kMostE57Columns)
       source_.refuse(0, "scan %llu has more than %llu columns",
                      static_cast<unsigned long long>(scan + 1),
                      static_cast<unsigned long long>(kMostE57Columns));
     std::vector<JcColumn> columns(info.columns);
-    for (uint64_t c = 0; c < info.columns; ++c)
-      call(jc_e57_column(document_, scan, c, &columns[c], message()));
+    for (uint64_t c = 0; c < info.columns; ++c) {
+      JcPacking packing{};
+      call(jc_e57_column(document_, scan, c, &columns[c], &packing, message()));
+      if (packed != nullptr)
+        packed->push_back({columns[c].kind, columns[c].scale, columns[c].offset, packing});
+    }
     return columns;
   }
 
@@ -138,11 +130,11 @@ class E57Reader {
     return std::nullopt;
   }
 
-  ScanLayout layout_of(uint64_t scan, const std::vector<JcColumn>& columns, bool wide) const {
+  e57::ScanLayout layout_of(uint64_t scan, const std::vector<JcColumn>& columns, bool wide) const {
     static constexpr const char* kPlaces[2][4] = {
         {"cartesianX", "cartesianY", "cartesianZ", "cartesianInvalidState"},
         {"sphericalRange", "sphericalAzimuth", "sphericalElevation", "sphericalInvalidState"}};
-    ScanLayout layout;
+    e57::ScanLayout layout;
     layout.spherical = !find(columns, kPlaces[0][0]).has_value();
     const auto& names = kPlaces[layout.spherical ? 1 : 0];
     for (size_t k = 0; k < 3; ++k) {
@@ -158,8 +150,8 @@ class E57Reader {
     return layout;
   }
 
-  static std::optional<FieldColumn> field_of(const std::vector<JcColumn>& columns, size_t c,
-                                             bool wide) {
+  static std::optional<e57::FieldColumn> field_of(const std::vector<JcColumn>& columns, size_t c,
+                                                  bool wide) {
     static constexpr struct {
       const char *column, *field;
       ElementType type;
@@ -178,11 +170,11 @@ class E57Reader {
     const std::string_view name = columns[c].name;
     for (const auto& row : kFields) {
       if (name != row.column) continue;
-      FieldColumn out{c,
-                      {row.field, row.type, 1, row.unit, row.meaning},
-                      1,
-                      row.shift,
-                      find(columns, row.invalid)};
+      e57::FieldColumn out{c,
+                           {row.field, row.type, 1, row.unit, row.meaning},
+                           1,
+                           row.shift,
+                           find(columns, row.invalid)};
       if (name.starts_with("color")) {
         const double most = wide ? 65535 : 255;
         out.field.type = wide ? ElementType::kUint16 : ElementType::kUint8;
@@ -194,7 +186,7 @@ class E57Reader {
     if (colon == std::string_view::npos || name.find("nvalid") != std::string_view::npos)
       return std::nullopt;
     const std::string own = name_from_file(name.substr(colon + 1), numbered("column", c + 1));
-    return FieldColumn{c, {own, type_of(columns[c]), 1, "", ""}, 1, 0, std::nullopt};
+    return e57::FieldColumn{c, {own, type_of(columns[c]), 1, "", ""}, 1, 0, std::nullopt};
   }
 
   // The smallest type that holds all the column may.
@@ -234,41 +226,43 @@ class E57Reader {
 
   void read_scan(uint64_t scan, bool wide) {
     const JcScan info = scan_info(scan);
-    const std::vector<JcColumn> columns = columns_of(scan, info);
-    const ScanLayout layout = layout_of(scan, columns, wide);
+    std::vector<e57::RecordColumn> packed;
+    const std::vector<JcColumn> columns = columns_of(scan, info, &packed);
+    const e57::ScanLayout layout = layout_of(scan, columns, wide);
     const std::optional<Transform> pose = pose_of(info, scan);
     std::string name = name_from_file(info.name, "");
     if (name.empty()) name = "scan " + std::to_string(scan + 1);
     cloud_.begin_station(name, pose ? &*pose : nullptr);
     std::vector<size_t> numbers;
-    for (const FieldColumn& field : layout.fields) numbers.push_back(cloud_.field(field.field));
-    call(jc_e57_start(document_, scan, message()));  // says what is wrong with an empty one too
-    if (info.records == 0) return;
-    std::vector<double> rows(kE57Rows * columns.size()), values(layout.fields.size());
-    uint64_t done = 0;
-    for (uint64_t count = 1; count != 0; done += count) {
-      task_.checkpoint(static_cast<double>(done) / static_cast<double>(info.records));
-      call(jc_e57_read(document_, rows.data(), kE57Rows, &count, message()));
-      for (size_t i = 0; i < count; ++i)
-        add_point(layout, rows.data() + i * columns.size(), pose, numbers, values);
+    for (const e57::FieldColumn& field : layout.fields)
+      numbers.push_back(cloud_.field(field.field));
+    e57::Records records(source_, info.section, info.records, std::move(packed), task_);
+    double done = 0;
+    while (const size_t count = records.next(task_)) {
+      const auto all = static_cast<double>(info.records);
+      ProgressSpan span(task_, done / all, (done + static_cast<double>(count)) / all);
+      add_points(records, count, layout, pose, numbers);
+      done += static_cast<double>(count);
     }
   }
 
-  void add_point(const ScanLayout& layout, const double* row, const std::optional<Transform>& pose,
-                 const std::vector<size_t>& numbers, std::vector<double>& values) {
-    if (layout.invalid && row[*layout.invalid] != 0) return;
-    const double a = row[layout.position[0]], b = row[layout.position[1]],
-                 c = row[layout.position[2]];
-    Vec3 point{a, b, c};
-    if (layout.spherical)  // range, azimuth from x to y, elevation (ASTM E2807, 8.5.3)
-      point = {a * std::cos(c) * std::cos(b), a * std::cos(c) * std::sin(b), a * std::sin(c)};
-    for (size_t f = 0; f < values.size(); ++f) {
-      const FieldColumn& field = layout.fields[f];
-      values[f] = field.invalid && row[*field.invalid] != 0
-                      ? std::nan("")
-                      : row[field.column] * field.factor + field.shift;
-    }
-    cloud_.add(pose ? pose->point(point) : point, numbers, values);
+  // The valid ones of these records.
+  void add_points(const e57::Records& records, size_t count, const e57::ScanLayout& layout,
+                  const std::optional<Transform>& pose, const std::vector<size_t>& numbers) {
+    std::vector<size_t> firsts((count + kE57Grain - 1) / kE57Grain);  // points of each part
+    parallel_for(task_, count, kE57Grain, [&](size_t begin, size_t end) {
+      firsts[begin / kE57Grain] = e57::RecordPoints(records, layout, begin, end).count();
+    });
+    size_t valid = 0;
+    for (size_t& first : firsts) valid += std::exchange(first, valid);
+    const size_t before = cloud_.extend(valid, numbers);
+    parallel_for(task_, count, kE57Grain, [&](size_t begin, size_t end) {
+      const e57::RecordPoints part(records, layout, begin, end);
+      const size_t first = before + firsts[begin / kE57Grain];
+      cloud_.put(first, part.places(pose));
+      for (size_t f = 0; f < numbers.size(); ++f)
+        cloud_.put_field(numbers[f], first, part.values(layout.fields[f]));
+    });
   }
 
   const ByteSource& source_;

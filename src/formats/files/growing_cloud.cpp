@@ -7,52 +7,74 @@
 #include <cstring>
 #include <limits>
 
+#include "base/parallel.h"
 #include "geometry/rotation.h"
 
 namespace jalon {
+
+namespace {
+
+template <class T>
+T stored_as(double value) {
+  if constexpr (std::is_floating_point_v<T>) {
+    return static_cast<T>(value);
+  } else {
+    const double nearest = std::nearbyint(value);
+    constexpr T kLeast = std::numeric_limits<T>::lowest(), kMost = std::numeric_limits<T>::max();
+    // The most of 64 bits is no double: the next one is beyond it.
+    if (nearest >= static_cast<double>(kMost)) return kMost;
+    if (nearest <= static_cast<double>(kLeast)) return kLeast;
+    return std::isnan(nearest) ? T{} : static_cast<T>(nearest);
+  }
+}
+
+}  // namespace
 
 GrowingColumn::GrowingColumn(FieldInfo info, size_t before) : info_(std::move(info)) {
   for (size_t i = 0; i < before; ++i) add_none();
 }
 
-void* GrowingColumn::room() {
-  const size_t bytes = size_of(info_.type);
-  if (size_ == blocks_.size() * kBlockItems)
-    blocks_.push_back(std::make_unique_for_overwrite<std::byte[]>(kBlockItems * bytes));
-  return blocks_.back().get() + (size_++ % kBlockItems) * bytes;
+void GrowingColumn::extend(size_t count) {
+  size_ += count;
+  while (size_ > blocks_.size() * kBlockItems)
+    blocks_.push_back(
+        std::make_unique_for_overwrite<std::byte[]>(kBlockItems * size_of(info_.type)));
+}
+
+void GrowingColumn::put(size_t first, std::span<const double> values) {
+  visit(info_.type, [&](auto zero) {
+    using T = decltype(zero);
+    while (!values.empty()) {
+      const size_t inside = first % kBlockItems;
+      const size_t count = std::min(values.size(), kBlockItems - inside);
+      std::byte* const to = blocks_[first / kBlockItems].get() + inside * sizeof(T);
+      for (size_t i = 0; i < count; ++i) {
+        const T value = stored_as<T>(values[i]);
+        std::memcpy(to + i * sizeof(T), &value, sizeof(T));
+      }
+      values = values.subspan(count);
+      first += count;
+    }
+  });
 }
 
 void GrowingColumn::add(double value) {
-  void* const to = room();
-  visit(info_.type, [&](auto zero) {
-    using T = decltype(zero);
-    T stored{};
-    if constexpr (std::is_floating_point_v<T>) {
-      stored = static_cast<T>(value);
-    } else {
-      const double nearest = std::nearbyint(value);
-      constexpr T kLeast = std::numeric_limits<T>::lowest(), kMost = std::numeric_limits<T>::max();
-      // The most of 64 bits is no double: the next one is beyond it.
-      if (nearest >= static_cast<double>(kMost)) stored = kMost;
-      else if (nearest <= static_cast<double>(kLeast)) stored = kLeast;
-      else if (!std::isnan(nearest)) stored = static_cast<T>(nearest);
-    }
-    std::memcpy(to, &stored, sizeof stored);
-  });
+  extend(1);
+  put(size_ - 1, {&value, 1});
 }
 
 void GrowingColumn::add_none() {
   add(is_floating(info_.type) ? std::numeric_limits<double>::quiet_NaN() : 0);
 }
 
-void GrowingColumn::move_to(void* out) {
+void GrowingColumn::move_to(void* out, Task& task) {
   const size_t bytes = size_of(info_.type);
-  for (size_t b = 0; b < blocks_.size(); ++b) {
+  parallel_chunks(task, blocks_.size(), [&](size_t b) {
     const size_t first = b * kBlockItems;
     std::memcpy(static_cast<std::byte*>(out) + first * bytes, blocks_[b].get(),
                 std::min(kBlockItems, size_ - first) * bytes);
     blocks_[b].reset();
-  }
+  });
   blocks_.clear();
   size_ = 0;
 }
@@ -84,14 +106,24 @@ void GrowingCloud::add(const Vec3& point, std::span<const size_t> numbers,
   if (!stations_.empty()) ++stations_.back().count;
 }
 
-Cloud GrowingCloud::finish() {
+size_t GrowingCloud::extend(size_t count, std::span<const size_t> numbers) {
+  const size_t first = size();
+  x_.extend(3 * count);
+  for (const size_t number : numbers) fields_[number].extend(count);
+  for (GrowingColumn& field : fields_)
+    while (field.size() < size()) field.add_none();
+  if (!stations_.empty()) stations_.back().count += count;
+  return first;
+}
+
+Cloud GrowingCloud::finish(Task& task) {
   const size_t count = size();
   Buffer<double> xyz(3 * count);
-  x_.move_to(xyz.data());
+  x_.move_to(xyz.data(), task);
   Cloud cloud = make_cloud(std::move(xyz));
   for (GrowingColumn& field : fields_) {
     auto column = std::make_shared<Column>(field.info(), count);
-    field.move_to(column->raw());
+    field.move_to(column->raw(), task);
     cloud.fields.set(std::move(column));
   }
   cloud.stations = std::move(stations_);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/task.h"
 #include "cloud/cloud.h"
 
 namespace jalon {
@@ -20,10 +21,14 @@ class GrowingColumn {
   /// Rounded to the nearest of an integer type, at its limits beyond them; NaN becomes 0 there.
   void add(double value);
   void add_none();
+  /// So many items behind the last, to be put.
+  void extend(size_t count);
+  /// From item `first` on, as add() does. Any thread, of items of its own.
+  void put(size_t first, std::span<const double> values);
   size_t size() const { return size_; }
   const FieldInfo& info() const { return info_; }
   /// Moves all to `out`, which has room for them, and frees each block behind it.
-  void move_to(void* out);
+  void move_to(void* out, Task& task);
 
  private:
   void* room();
@@ -45,8 +50,16 @@ class GrowingCloud {
   void begin_station(const std::string& name, const Transform* pose);
   /// values: of the fields in `numbers`; the point has none of the others.
   void add(const Vec3& point, std::span<const size_t> numbers, std::span<const double> values);
+  /// So many points behind the last, to be put, with the fields in `numbers`; none of the others.
+  /// The number of the first.
+  size_t extend(size_t count, std::span<const size_t> numbers);
+  /// Points, or their values of a field, from point `first` on. Any thread, of points of its own.
+  void put(size_t first, std::span<const double> xyz) { x_.put(3 * first, xyz); }
+  void put_field(size_t number, size_t first, std::span<const double> values) {
+    fields_[number].put(first, values);
+  }
   size_t size() const { return x_.size() / 3; }
-  Cloud finish();
+  Cloud finish(Task& task);
 
  private:
   GrowingColumn x_;  ///< x, y, z one after another

@@ -40,7 +40,7 @@ Cloud read_png(const ByteSource& source, const ReadSettings& settings, Task& tas
     }
     reader.finish();
   }
-  return finish_cloud(cloud.finish(), source, settings.drop_invalid, task);
+  return finish_cloud(cloud.finish(task), source, settings.drop_invalid, task);
 }
 
 }  // namespace jalon

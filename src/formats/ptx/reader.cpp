@@ -32,7 +32,7 @@ class PtxReader {
     size_t scans = 0;
     while (next_line()) read_scan(++scans);
     if (scans == 0) refuse("there is no scan");
-    return cloud_.finish();
+    return cloud_.finish(task_);
   }
 
  private:

@@ -32,7 +32,8 @@ TEST_CASE("growing_cloud__points_over_several_blocks_keep_order_fields_and_stati
               std::span(values).first(used));
   }
   CHECK(grown.field({"row", ElementType::kFloat64, 1, "", ""}) == row);
-  const Cloud cloud = grown.finish();
+  Task task;
+  const Cloud cloud = grown.finish(task);
   REQUIRE(cloud.size() == kPoints);
   REQUIRE(cloud.stations.size() == 2);
   CHECK(cloud.stations[0].has_pose);
@@ -54,6 +55,46 @@ TEST_CASE("growing_cloud__points_over_several_blocks_keep_order_fields_and_stati
   CHECK(wrong == 0);
 }
 
+TEST_CASE("growing_cloud__points_put_in_any_order_stand_where_they_were_put") {
+  constexpr size_t kPoints = 70000;
+  GrowingCloud grown;
+  const size_t early = grown.field({"early", ElementType::kFloat32, 1, "", ""});
+  const size_t row = grown.field({"row", ElementType::kInt16, 1, "", ""});
+  const size_t both[] = {early, row};
+  const double values[] = {1, 2};
+  grown.add({-1, -2, -3}, both, values);
+  grown.begin_station("a", nullptr);
+  REQUIRE(grown.extend(kPoints, std::span(both).last(1)) == 1);
+  for (const size_t begin : {size_t{33000}, size_t{0}}) {
+    const size_t end = begin == 0 ? 33000 : kPoints;
+    std::vector<double> xyz, rows;
+    for (size_t i = begin; i < end; ++i) {
+      for (int k = 0; k < 3; ++k) xyz.push_back(static_cast<double>(3 * i) + k);
+      rows.push_back(static_cast<double>(i));
+    }
+    grown.put(1 + begin, xyz);
+    grown.put_field(row, 1 + begin, rows);
+  }
+  Task task;
+  const Cloud cloud = grown.finish(task);
+  REQUIRE(cloud.size() == kPoints + 1);
+  CHECK(cloud.stations[0].first == 1);
+  CHECK(cloud.stations[0].count == kPoints);
+  CHECK(cloud.point(0) == Vec3{-1, -2, -3});
+  const auto rows = cloud.fields.require("row").values<int16_t>();
+  const auto earlies = cloud.fields.require("early").values<float>();
+  CHECK(earlies[0] == 1);
+  size_t wrong = 0;
+  for (size_t i = 0; i < kPoints; ++i) {
+    const auto x = static_cast<double>(3 * i);
+    wrong += cloud.point(i + 1) == Vec3{x, x + 1, x + 2} && std::isnan(earlies[i + 1]) &&
+                     rows[i + 1] == static_cast<int>(std::min<size_t>(i, 32767))
+                 ? 0
+                 : 1;
+  }
+  CHECK(wrong == 0);
+}
+
 TEST_CASE("growing_cloud__integers_take_the_nearest_number_that_they_hold") {
   GrowingColumn column({"a", ElementType::kUint8, 1, "", ""}, 1);
   for (const double value : {-3.0, 2.4, 254.6, 1e9, std::nan("")}) column.add(value);
@@ -61,8 +102,9 @@ TEST_CASE("growing_cloud__integers_take_the_nearest_number_that_they_hold") {
   for (const double value : {-1e30, 1e30, -7.0}) large.add(value);
   uint8_t bytes[6];
   int64_t numbers[3];
-  column.move_to(bytes);
-  large.move_to(numbers);
+  Task task;
+  column.move_to(bytes, task);
+  large.move_to(numbers, task);
   CHECK(std::vector<uint8_t>(bytes, bytes + 6) == std::vector<uint8_t>{0, 0, 2, 255, 255, 0});
   CHECK(numbers[0] == std::numeric_limits<int64_t>::min());
   CHECK(numbers[1] == std::numeric_limits<int64_t>::max());

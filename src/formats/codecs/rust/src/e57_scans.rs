@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-//! E57: scans with their poses, and their records as numbers, column by column of the prototype.
+//! E57: scans with their poses and the columns of their records; the records are the caller's.
 
 use crate::reserve::was_refused;
 use crate::{guarded, silence_panics, Message};
-use e57::{E57Reader, PointCloud, PointCloudReaderRaw, RecordDataType, RecordName, RecordValue};
+use e57::{E57Reader, PointCloud, RecordDataType, RecordName};
 use std::ffi::{c_char, c_void, CString};
 use std::io::{BufReader, Error, ErrorKind, Read, Seek, SeekFrom};
 
@@ -56,11 +56,9 @@ impl Seek for File {
 type Input = BufReader<File>;
 
 pub struct Document {
-    records: Option<PointCloudReaderRaw<'static, Input>>, // of `reader`: goes before it
-    current: Vec<RecordDataType>,
     scans: Vec<PointCloud>,
     texts: Vec<CString>, // that the caller looks at
-    reader: Box<E57Reader<Input>>,
+    crs: String,
 }
 
 /// As in ../codecs.h.
@@ -68,6 +66,7 @@ pub struct Document {
 pub struct Scan {
     name: *const c_char,
     records: u64,
+    section: u64,
     columns: u64,
     has_pose: i32,
     rotation: [f64; 4],
@@ -82,6 +81,13 @@ pub struct ScanColumn {
     pub max: f64,
     pub scale: f64,
     pub offset: f64,
+}
+
+/// As in ../codecs.h.
+#[repr(C)]
+pub struct Packing {
+    least: i64,
+    bits: u32,
 }
 
 pub const INTEGER: i32 = 0;
@@ -107,15 +113,13 @@ pub unsafe extern "C" fn jc_e57_open(
     silence_panics();
     guarded(&message, || {
         let input = BufReader::with_capacity(1 << 16, File { source, at: 0 });
-        let reader = Box::new(E57Reader::new(input).map_err(|e| e.to_string())?);
+        let reader = E57Reader::new(input).map_err(|e| e.to_string())?;
         let clouds = reader.pointclouds();
         *scans = clouds.len() as u64;
         *out = Box::into_raw(Box::new(Document {
-            records: None,
-            current: Vec::new(),
             scans: clouds,
             texts: Vec::new(),
-            reader,
+            crs: reader.coordinate_metadata().unwrap_or("").to_owned(),
         }));
         Ok(())
     })
@@ -140,7 +144,7 @@ pub unsafe extern "C" fn jc_e57_crs(
     message: Message,
 ) -> i32 {
     guarded(&message, || {
-        let text = (*document).reader.coordinate_metadata().unwrap_or("").to_owned();
+        let text = (*document).crs.clone();
         *out = (*document).keep(&text);
         Ok(())
     })
@@ -160,6 +164,7 @@ pub unsafe extern "C" fn jc_e57_scan(
         let mut scan = Scan {
             name,
             records: cloud.records,
+            section: cloud.file_offset,
             columns: cloud.prototype.len() as u64,
             has_pose: i32::from(cloud.transform.is_some()),
             rotation: [1.0, 0.0, 0.0, 0.0],
@@ -181,6 +186,7 @@ pub unsafe extern "C" fn jc_e57_column(
     index: u64,
     column: u64,
     out: *mut ScanColumn,
+    packing: *mut Packing,
     message: Message,
 ) -> i32 {
     guarded(&message, || {
@@ -196,6 +202,7 @@ pub unsafe extern "C" fn jc_e57_column(
             RecordDataType::Double { .. } => (DOUBLE, f64::NAN, f64::NAN, 1.0, 0.0),
         };
         let name = document.keep(&name_of(&record.name));
+        *packing = packing_of(&record.data_type);
         *out = ScanColumn { name, kind, min, max, scale, offset };
         Ok(())
     })
@@ -227,76 +234,14 @@ fn name_of(name: &RecordName) -> String {
     }
 }
 
-/// A record that takes no bits is there without bytes: with nothing else the file would hold any
-/// number of points, and the decoder would never end.
-fn takes_bits(kind: &RecordDataType) -> bool {
-    match kind {
+/// Integers take the bits of the widest, less the least of them (ASTM E2807).
+fn packing_of(kind: &RecordDataType) -> Packing {
+    match *kind {
+        RecordDataType::Single { .. } => Packing { least: 0, bits: 32 },
+        RecordDataType::Double { .. } => Packing { least: 0, bits: 64 },
         RecordDataType::Integer { min, max } | RecordDataType::ScaledInteger { min, max, .. } => {
-            min != max
+            let range = i128::from(max) - i128::from(min);
+            Packing { least: min, bits: if range > 0 { range.ilog2() + 1 } else { 0 } }
         }
-        _ => true,
-    }
-}
-
-#[no_mangle]
-pub unsafe extern "C" fn jc_e57_start(
-    document: *mut Document,
-    index: u64,
-    message: Message,
-) -> i32 {
-    guarded(&message, || {
-        let document = &mut *document;
-        let cloud = document.scans.get(index as usize).ok_or("no such scan")?.clone();
-        if cloud.records > 0 && !cloud.prototype.iter().any(|r| takes_bits(&r.data_type)) {
-            return Err("Invalid E57 content: no column of the scan takes any bytes".to_owned());
-        }
-        document.records = None;
-        document.current = cloud.prototype.iter().map(|r| r.data_type.clone()).collect();
-        // SAFETY: the reader lives in a box of the same document, is touched by nothing else while
-        // `records` is there, and goes after it.
-        let reader: &'static mut E57Reader<Input> =
-            &mut *(document.reader.as_mut() as *mut E57Reader<Input>);
-        document.records = Some(reader.pointcloud_raw(&cloud).map_err(|e| e.to_string())?);
-        Ok(())
-    })
-}
-
-/// Up to `room` records as rows of doubles; *count: as many as there were.
-#[no_mangle]
-pub unsafe extern "C" fn jc_e57_read(
-    document: *mut Document,
-    rows: *mut f64,
-    room: u64,
-    count: *mut u64,
-    message: Message,
-) -> i32 {
-    guarded(&message, || {
-        let document = &mut *document;
-        let records = document.records.as_mut().ok_or("no scan was started")?;
-        let columns = document.current.len();
-        *count = 0;
-        while *count < room {
-            let values = match records.next() {
-                None => break,
-                Some(read) => read.map_err(|e| e.to_string())?,
-            };
-            let row = rows.add(*count as usize * columns);
-            for (i, value) in values.iter().enumerate() {
-                *row.add(i) = number_of(value, &document.current[i]);
-            }
-            *count += 1;
-        }
-        Ok(())
-    })
-}
-
-fn number_of(value: &RecordValue, kind: &RecordDataType) -> f64 {
-    match (value, kind) {
-        (RecordValue::Single(number), _) => f64::from(*number),
-        (RecordValue::Double(number), _) => *number,
-        (RecordValue::ScaledInteger(raw), RecordDataType::ScaledInteger { scale, offset, .. }) => {
-            *raw as f64 * scale + offset
-        }
-        (RecordValue::ScaledInteger(raw), _) | (RecordValue::Integer(raw), _) => *raw as f64,
     }
 }
