@@ -9,6 +9,7 @@
 #include "formats/ept/hierarchy.h"
 #include "formats/ept/schema.h"
 #include "formats/files/told_stations.h"
+#include "formats/las/copc_tree.h"
 #include "formats/las/copc_writer.h"
 #include "formats/las/layout.h"
 #include "formats/units/crs_code.h"
@@ -21,7 +22,7 @@ namespace {
 
 using namespace ept;
 
-constexpr int kSpan = 128;  // cells a side of a node's grid, as copc_tree() has them
+constexpr int kSpan = 1 << las::kCopcGridLevels;   // cells a side of a node's grid
 constexpr size_t kStationBytes = size_t{8} << 20;  // of a text, which readers of JSON take at once
 
 void add_box(JsonWriter& json, const char* name, const Vec3& low, const Vec3& high) {

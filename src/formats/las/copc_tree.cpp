@@ -17,11 +17,10 @@ namespace jalon::las {
 
 namespace {
 
-constexpr int kGridLevels = 7;  // a node's grid has 128 cells a side, as usual (EPT, PDAL, Untwine)
 constexpr size_t kWholePoints = 10000;  // fewer are kept all: halves of a chunk are hardly smaller
 constexpr size_t kLeastPoints = 100;    // a child of fewer is no node: its chunk would be all heads
-constexpr int kLastLevel = kMaxLevel - kGridLevels;  // beyond it the octree knows no cells
-constexpr int kGridBits = 31;                        // of the octree's coordinates
+constexpr int kLastLevel = kMaxLevel - kCopcGridLevels;  // beyond it the octree knows no cells
+constexpr int kGridBits = 31;                            // of the octree's coordinates
 constexpr double kGridEdge = 0x1p31;
 // Points between two looks at the cancel flag, and of a chunk.
 constexpr size_t kGrain = size_t{1} << 16;
@@ -70,7 +69,7 @@ class Chooser {
   Choice choose(std::span<uint32_t> points, int level) {
     if (points.size() <= kWholePoints || level == kLastLevel) return {points.size(), {}};
     std::vector<uint8_t> kept(points.size());
-    keep_grid(points, level + kGridLevels, kept);
+    keep_grid(points, level + kCopcGridLevels, kept);
     const std::array<size_t, 8> left = keep_crumbs(points, level, kept);
     std::vector<uint32_t> others;
     size_t to = 0;
@@ -193,7 +192,7 @@ CopcTree copc_tree(Buffer<double> xyz, Task& task) {
   if (!(edge > 0)) edge = 1;  // all points are one
   tree.halfsize = edge / 2;
   tree.centre = box.min + Vec3{edge / 2, edge / 2, edge / 2};
-  tree.spacing = std::ldexp(edge, -kGridLevels);
+  tree.spacing = std::ldexp(edge, -kCopcGridLevels);
   std::shared_ptr<const Octree> octree;
   {
     ProgressSpan span(task, 0, 0.6);
