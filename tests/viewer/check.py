@@ -108,6 +108,16 @@ def box(page):
     return page.value("(b => [b.left, b.top, b.width, b.height])(document.getElementById('view-gl').getBoundingClientRect())")
 
 
+# Is the frame of the picture white all around?
+WHITE_FRAME = """(() => {
+  const {width, height} = document.getElementById("view-gl");
+  for (let t = 0; t < 1; t += 1 / 256)
+    for (const [x, y] of [[t * width, 1], [t * width, height - 2], [1, t * height], [width - 2, t * height]])
+      if (Math.min(...jalonView.pixel(x, y)) < 255) return false;
+  return true;
+})()"""
+
+
 def looked_at(page, tally, work, pictures):
     for name, points in (("facade", 150000), ("segments", 150000), ("comparison", 150000), ("registration", 150000),
                          ("adjustment", 20000), ("large", 2000000)):
@@ -115,6 +125,8 @@ def looked_at(page, tally, work, pictures):
         shown = page.value("jalonView.points")
         tally.case(name + ": has the points asked for", abs(shown - points) <= 3 or name == "adjustment" and 0 < shown <= points, shown)
         quiet(page, tally, name)
+        if name in ("facade", "segments", "comparison", "registration"):
+            tally.case(name + ": nothing is cut off by the frame", page.value(WHITE_FRAME))
         if name == "large":
             size = os.path.getsize(work / name / "report.html")
             print("FIGURE viewer 2 M points: %.2f MB, decoded in %.0f ms, first picture after %.0f ms (no graphics card)"

@@ -137,16 +137,20 @@ canvas.addEventListener("wheel", (e) => { e.preventDefault(); nearer(Math.exp(e.
 const make = (name, set, into) => (into || bar).appendChild(Object.assign(document.createElement(name), set));
 const labelled = (text, name, set) => { const l = make("label", {textContent: text}); return make(name, set, l); };
 const look = (az, el) => () => { Object.assign(eye, {az, el}); near(); changed(); };
-// As near as the outlines, or else the points of the focus, stay in the picture from where the eye looks.
-const essence = [];
-const within = (p) => p.every((v, k) => v >= focus[k] - .01 && v <= focus[k + 3] + .01);
+// As near as the outlines, or else the points about the focus, stay in the picture from where the eye looks. The focus
+// leaves out the outermost in a hundred points, strays or not: what lies a tenth beyond it belongs to it.
+const essence = [], room = [0, 1, 2].map((k) => .1 * (focus[k + 3] - focus[k]) + .01);
+const within = (p) => p.every((v, k) => v >= focus[k] - room[k] && v <= focus[k + 3] + room[k]);
 for (const part of scene.parts) for (const p of rings(part).flat()) if (within(p)) essence.push(p);
+// Of the points the outermost each way.
+const ways = [-2, -1, 0, 1, 2], ways3 = ways.flatMap((x) => ways.flatMap((y) => ways.map((z) => [x, y, z])));
 if (scene.parts.every((part) => part.rings[0].length < 9)) for (const c of clouds.filter((x) => !x.hidden)) {
-  const every = Math.ceil(c.n / 1500);
+  const every = Math.ceil(c.n / 40000), out = ways3.map(() => null), far = ways3.map(() => -Infinity);
   for (let k = 0; k < c.n; k += every) {
     const p = apply(c.pose, [0, 1, 2].map((a) => c.q[4 * k + a] * c.step)).slice(0, 3);
-    if (within(p)) essence.push(p);
+    if (within(p)) ways3.forEach((way, i) => { const t = dot(way, p); if (t > far[i]) { far[i] = t; out[i] = p; } });
   }
+  essence.push(...out.filter((p) => p));
 }
 const near = () => {
   Object.assign(eye, {at: home.at.slice(), far: home.far});
