@@ -144,6 +144,13 @@ static Result run_las3(Bench* bench, jalon_task* task, FILE* sample) {
   return run_las(bench, "_pf3.las", task, sample);
 }
 
+static Result run_laz0(Bench* bench, jalon_task* task, FILE* sample) {
+  return run_las(bench, "_pf0.laz", task, sample);
+}
+static Result run_laz3(Bench* bench, jalon_task* task, FILE* sample) {
+  return run_las(bench, "_pf3.laz", task, sample);
+}
+
 /* A row a plane, largest first: normal, centroid of its points, how many they are. */
 static void write_planes(FILE* sample, const jalon_fields* segments) {
   jalon_array_view normals, centroids, inliers;
@@ -289,6 +296,8 @@ static const Operation kOperations[] = {{"index", run_index},
                                         {"voxel5cm", run_voxel5cm},
                                         {"las0", run_las0},
                                         {"las3", run_las3},
+                                        {"laz0", run_laz0},
+                                        {"laz3", run_laz3},
                                         {"c2c", run_c2c},
                                         {"c2c_plane", run_c2c_plane},
                                         {"c2c_quadric", run_c2c_quadric},
@@ -314,7 +323,8 @@ int main(int argc, char** argv) {
   bench.prefix = argv[1];
   bench.points = load(bench.prefix, ".f64");
   code = serve(
-      "index,knn16,normals16,voxel5cm,las0,las3,c2c,c2c_plane,c2c_quadric,planes,region_growing,"
+      "index,knn16,normals16,voxel5cm,las0,las3,laz0,laz3,c2c,c2c_plane,c2c_quadric,planes,region_"
+      "growing,"
       "outlines,"
       "facade_dxf",
       bench.points.count, &bench, run);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 
-// bench_laszip PREFIX [all]: LASzip's API reading the uncompressed files PREFIX_pf0.las and
-// PREFIX_pf3.las, point by point as the API has it. Keeps the coordinates only (its fastest use),
-// or, with "all", every attribute in a column of its own, which is what Jalon's reader does. LASzip
-// has no threads.
+// bench_laszip PREFIX [all]: LASzip's API reading PREFIX_pf0.las and PREFIX_pf3.las, and the same
+// compressed, PREFIX_pf0.laz and PREFIX_pf3.laz, point by point as the API has it. Keeps the
+// coordinates only (its fastest use), or, with "all", every attribute in a column of its own, which is
+// what Jalon's reader does. LASzip has no threads.
 
 #include <laszip_api.h>
 
@@ -89,5 +89,7 @@ int main(int argc, char** argv) {
   const size_t points = read(prefix + "_pf0.las", false).count;
   return bench::serve(all ? "LASzip-all" : "LASzip", points,
                       {{"las0", [&](int, bool) { return read(prefix + "_pf0.las", all); }},
-                       {"las3", [&](int, bool) { return read(prefix + "_pf3.las", all); }}});
+                       {"las3", [&](int, bool) { return read(prefix + "_pf3.las", all); }},
+                       {"laz0", [&](int, bool) { return read(prefix + "_pf0.laz", all); }},
+                       {"laz3", [&](int, bool) { return read(prefix + "_pf3.laz", all); }}});
 }

@@ -244,7 +244,7 @@ def compare(operation, sample, xyz, rows, step, squared, normals, count):
             f"{100 * share:.1f} % of the normals within {NORMAL_TOLERANCE_DEG} deg of brute force",
             share >= NORMAL_SHARE,
         )
-    if operation in ("las0", "las3"):
+    if operation in ("las0", "las3", "laz0", "laz3"):
         if len(sample) != 3 * len(sampled_xyz):
             return f"{len(sample)} numbers in the sample", False
         error = np.abs(sample.reshape(-1, 3) - sampled_xyz).max()

@@ -30,6 +30,10 @@ PROMISES = [
     Promise("bench/thesis_fields", [], r"T[67], .* ([\d.]+) x faster", at_least=THIRTY),
     Promise("capi_cancel_test", [], r"cancel latency.* p99 ([\d.]+) ms", at_most=100),  # task.h says so
     Promise("bench/georeference_jalon", [], r"with covariances: ([\d.]+) M points a second on 2 threads", at_least=5),
+    Promise("bench/reading_jalon", [], r"laz of .* ([\d.]+) s on", at_most=0.7),
+    Promise("bench/reading_jalon", [], r"e57 of .* ([\d.]+) s on", at_most=1.5),
+    Promise("bench/reading_jalon", [], r"COPC file .* ([\d.]+) s,", at_most=0.3),
+    Promise("bench/reading_jalon", [], r"COPC file .* ([\d.]+) MB", at_most=200),
     Promise("accuracy/accuracy", ["-tc=chain_street__columns*"], r"([\d.]+) x the time of planes alone", at_most=2),
 ]
 

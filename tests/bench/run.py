@@ -22,7 +22,7 @@ import limits
 from limits import SEGMENTING
 from verdicts import ABSENT, CLOCK_TICK_S, summary, verdict
 
-READING = ["las0", "las3"]
+READING = ["las0", "las3", "laz0", "laz3"]
 COMPARING = ["c2c", "c2c_plane", "c2c_quadric"]  # no peer here has local models
 M3C2 = ["m3c2_100k", "m3c2_1m"]  # with drivers of their own
 MESH = ["c2m_13k", "c2m_1m"]  # the same; name -> sides of the triangles below
@@ -151,6 +151,13 @@ def scene(build, data, size):
             check=True,
             stdout=sys.stderr,
         )
+    for part in ("pf0", "pf3"):
+        if not (data / f"street_{size}_{part}.laz").exists():
+            subprocess.run(
+                [str(build / "src/jalon"), "convert", "--quiet", f"{prefix}_{part}.las", f"{prefix}_{part}.laz"],
+                check=True,
+                stdout=sys.stderr,
+            )
     # The second scan, that is compared with it, and the same moved, that is laid onto it.
     for name, kind in (("second", "points"), ("moved", "moved")):
         second = data / f"street_{size}_{name}"

@@ -7,7 +7,7 @@ root=$(cd "$(dirname "$0")/../.." && pwd)
 build=$root/build/bench
 bash "$root/tests/bench/setup.sh" "$build/peers"
 cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release -DJALON_BUILD_BENCHMARKS=ON -DJALON_BUILD_TESTS=ON >/dev/null
-ninja -C "$build" --quiet tests/bench/all accuracy capi_cancel_test
+ninja -C "$build" --quiet tests/bench/all jalon_cli accuracy capi_cancel_test
 passed=0 failed=0
 count() { if "$@"; then passed=$((passed + 1)); else failed=$((failed + 1)); fi; }
 count python3 "$root/tests/bench/promised.py" "$build"

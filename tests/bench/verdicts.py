@@ -17,6 +17,8 @@ TREES = ["small_gicp", "nanoflann", "nanoflann-f64", "PCL", "CGAL", "Open3D", "O
 PEERS = {
     "las0": ["LASzip", "LASzip-all"],
     "las3": ["LASzip", "LASzip-all"],
+    "laz0": ["LASzip", "LASzip-all"],
+    "laz3": ["LASzip", "LASzip-all"],
     "index": TREES,
     "knn16": [peer for peer in TREES if peer != "Open3D"],  # its old tree has no batch form
     "normals16": [peer for peer in TREES if not peer.startswith("nanoflann")],
