@@ -140,6 +140,7 @@ def full_suites():
                packages=["gcovr"]),
         script("mingw", "tests/install/mingw.sh", [], [], full=True, packages=["g++-mingw-w64-x86-64-posix", "libz-mingw-w64-dev", "wine64"]),
         script("viewer", "tests/viewer/check.py", ["jalon_cli"], full=True, packages=["chromium"]),
+        script("cloudcompare", "tests/formats/check_cloudcompare.py", ["jalon_cli"], full=True, packages=["cloudcompare"]),
         script("static", "tests/install/static.sh", [], [], full=True),
         script("new_method", "tests/scenarios/new_method.sh", [], [], full=True),
         script("fresh_root", "tests/install/fresh_root.sh", [], [], full=True),
