@@ -138,8 +138,8 @@ const make = (name, set, into) => (into || bar).appendChild(Object.assign(docume
 const labelled = (text, name, set) => { const l = make("label", {textContent: text}); return make(name, set, l); };
 const look = (az, el) => () => { Object.assign(eye, {az, el}); near(); changed(); };
 // As near as the outlines, or else the points about the focus, stay in the picture from where the eye looks. The focus
-// leaves out the outermost in a hundred points, strays or not: what lies a tenth beyond it belongs to it.
-const essence = [], room = [0, 1, 2].map((k) => .1 * (focus[k + 3] - focus[k]) + .01);
+// leaves out the outermost in a hundred points, strays or not: what lies a quarter beyond it belongs to it.
+const essence = [], room = [0, 1, 2].map((k) => .25 * (focus[k + 3] - focus[k]) + .01);
 const within = (p) => p.every((v, k) => v >= focus[k] - room[k] && v <= focus[k + 3] + room[k]);
 for (const part of scene.parts) for (const p of rings(part).flat()) if (within(p)) essence.push(p);
 // Of the points the outermost each way.
