@@ -34,8 +34,17 @@ bool fit_pipe(const std::vector<Vec2>& points, PrimitiveSetting setting, Task& t
   return false;
 }
 
-// 1. the circle among the points; 2. again without what lies behind the side of it that is seen: the wall, where it
-// stands as near as the pipe's back. outward: zero where no wall is known.
+std::vector<Vec2> in_front_of(const std::vector<Vec2>& points, const Circle& circle,
+                              const Vec2& outward) {
+  std::vector<Vec2> out;
+  for (const Vec2& p : points)
+    if (dot(p - circle.centre, outward) > -kPipeBackShare * circle.radius) out.push_back(p);
+  return out;
+}
+
+// 1. the circle among what lies before the surveyed axis, or among all where that is none: a wave of the wall's sheet
+// may be as round as the pipe; 2. again without what lies behind the side of it that is seen: the wall, where it stands
+// as near as the pipe's back. outward: zero where no wall is known.
 std::optional<PipePlace> place_of_pipe(const CodedObject& object, size_t number,
                                        const std::vector<Vec2>& points, const Vec2& outward,
                                        Task& task) {
@@ -44,16 +53,15 @@ std::optional<PipePlace> place_of_pipe(const CodedObject& object, size_t number,
   setting.tolerance_m = kOnPipe_m;
   setting.min_radius_m = kLeastPart * shape.radius_m;
   setting.max_radius_m = kMostPart * shape.radius_m;
-  CircleFit fit;
-  if (!fit_pipe(points, setting, task, fit)) return std::nullopt;
   const bool has_wall = dot(outward, outward) > 0;
+  const Circle surveyed{in_plan(shape.axis[0]), shape.radius_m};
+  CircleFit fit;
+  if (!(has_wall && fit_pipe(in_front_of(points, surveyed, outward), setting, task, fit)) &&
+      !fit_pipe(points, setting, task, fit))
+    return std::nullopt;
   for (int round = 0; has_wall && round < kRoundsInFront; ++round) {
-    std::vector<Vec2> in_front;
-    for (const Vec2& p : points)
-      if (dot(p - fit.circle.centre, outward) > -kPipeBackShare * fit.circle.radius)
-        in_front.push_back(p);
     CircleFit better;
-    if (!fit_pipe(in_front, setting, task, better)) break;
+    if (!fit_pipe(in_front_of(points, fit.circle, outward), setting, task, better)) break;
     fit = better;
   }
   const double off = norm(fit.circle.centre - in_plan(shape.axis[0]));

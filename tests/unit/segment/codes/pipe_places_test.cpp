@@ -64,6 +64,37 @@ TEST_CASE("pipe_places__a_wall_more_densely_scanned_than_its_pipe_does_not_draw_
     }
 }
 
+TEST_CASE("pipe_places__a_wave_of_the_wall_as_round_as_the_pipe_is_not_taken_for_it") {
+  // Crests of a corrugated sheet, 2.5 cm in waves of 20 cm, are arcs of 4 cm; one stands 2 cm behind the pipe's axis.
+  const std::string building =
+      "4;0;5.04;3;300.2\n5;20;5.04;3;300.4\n6;20;15;3;300.4\n7;0;15;3;300.4\n8;0;5.04;0;300.4\n";
+  for (uint64_t seed = 1; seed <= 20; ++seed)
+    for (const double off : {0.0, 0.03}) {
+      RandomStream random(seed, 1);
+      std::vector<Vec3> points;
+      for (int i = 0; i < 3400; ++i) {
+        const double angle = std::acos(-1.0) * random.uniform(),
+                     r = 0.038 + 0.002 * random.normal();
+        points.push_back(
+            {10 + r * std::cos(angle), 5 - r * std::sin(angle), 2.8 * random.uniform()});
+      }
+      for (int i = 0; i < 28000; ++i) {
+        const double x = random.uniform() - 0.5;
+        points.push_back(
+            {10 + x, 5.045 - 0.025 * std::cos(10 * std::acos(-1.0) * x) + 0.002 * random.normal(),
+             2.8 * random.uniform()});
+      }
+      const std::string y = text_of(5 - off, 3);
+      const CodedObjects all = surveyed(building + "1;10;" + y + ";0;408\n2;10.038;" + y +
+                                        ";0;409\n3;10;" + y + ";2.8;410\n");
+      Task task;
+      const auto places = pipe_places(*cloud_of(points), all, task);
+      REQUIRE(places.size() == 1);
+      CHECK(std::fabs(places[0].off_m - off) < 0.003);
+      CHECK(std::fabs(places[0].circle.radius - 0.038) < 0.002);
+    }
+}
+
 TEST_CASE("pipe_places__none_without_a_round_of_points") {
   Task task;
   std::vector<Vec3> wall;
