@@ -5,7 +5,9 @@
 #include <numbers>
 #include <span>
 
+#include "segment/codes/ajar_leaf.h"
 #include "segment/codes/opening_front.h"
+#include "segment/codes/opening_sides.h"
 #include "segment/codes/target_leaf.h"
 #include "segment/codes/target_scene.h"
 
@@ -101,17 +103,23 @@ void add_at_front(TargetScene& scene, const PaneFrame& frame, std::span<const Ve
   found.plane = frame.plane, found.along = frame.along, found.outside = frame.outside;
   if (!find_opening_front(flat, found.front)) return;
   std::vector<double> places, heights;
+  std::vector<size_t> its;
   for (size_t k = 0; k < points.size(); ++k) {
     const double before = flat[k].y - found.front.before(flat[k].x);
-    if (before < kBeforeFront_m && before > -distance_m) out.push_back(points[k]);
+    if (before < kBeforeFront_m && before > -distance_m) its.push_back(k);
     if (std::fabs(before) > kLeafNoise_m) continue;
     places.push_back(flat[k].x);
     heights.push_back(flat[k].z);
   }
-  if (places.empty()) return;
-  set_ends(places, found.left_m, found.right_m);
-  set_ends(heights, found.low_m, found.high_m);
-  scene.openings.push_back(found);
+  if (!places.empty()) {
+    set_ends(places, found.left_m, found.right_m);
+    set_ends(heights, found.low_m, found.high_m);
+    scene.openings.push_back(found);
+  }
+  const OpeningSides sides(flat, found.front,
+                           {found.left_m, found.right_m, found.low_m, found.high_m});
+  for (const size_t k : its)
+    if (!sides.is_reveal(flat[k], found.front)) out.push_back(points[k]);
 }
 
 // Form "improved": the points about a plane, apart where nothing lies along it, each group by its own front: windows of
@@ -231,6 +239,38 @@ bool between(const Vec3& p, const Vec3& a, const Vec3& b, double margin) {
   return true;
 }
 
+// Form "improved": of a leaf that stands open only what is about its hinge lies at the front; the rest of it follows.
+void take_ajar(TargetScene& scene, FoundOpening& opening, uint32_t number) {
+  const OpeningEnds ends{opening.left_m, opening.right_m, opening.low_m, opening.high_m};
+  const auto place = [&](double s) {
+    return in_plan(opening.along * s + opening.plane.normal * opening.plane.offset);
+  };
+  const double reach = kWidestWindow_m, deepest = kWidestAjar * reach;
+  std::vector<Vec3> flat;
+  std::vector<uint32_t> points;
+  for (const uint32_t i :
+       scene.tiles.points_about(place((ends.left_m + ends.right_m) / 2), reach + deepest)) {
+    if (scene.owner[i] != 0 && scene.owner[i] != number) continue;
+    const Vec3 p = scene.local(i);
+    const Vec3 at{dot(p, opening.along), opening.outside * opening.plane.distance(p), p.z};
+    const double before = at.y - opening.front.before(at.x);
+    if (before > kApart_m || before < -deepest || p.z < ends.low_m - kApart_m ||
+        p.z > ends.high_m + kApart_m)
+      continue;
+    flat.push_back(at);
+    points.push_back(i);
+  }
+  AjarLeaf leaf;
+  if (!find_ajar_leaf(flat, opening.front, ends, reach, leaf)) return;
+  const double distance = scene.objects.objects[number - 1].row.distance_m;
+  for (size_t k = 0; k < points.size(); ++k)
+    if (leaf.holds(flat[k], distance)) scene.owner[points[k]] = number;
+  // Its hole in the wall is as wide as the leaf.
+  opening.front = {leaf.hinge.v, 0};
+  if (leaf.along.u > 0) opening.right_m = std::max(ends.right_m, ends.left_m + leaf.length_m);
+  else opening.left_m = std::min(ends.left_m, ends.right_m - leaf.length_m);
+}
+
 void take_facade(TargetScene& scene, uint32_t number) {
   const CodedObject& object = scene.objects.objects[number - 1];
   std::vector<uint32_t> patch;
@@ -264,7 +304,10 @@ void take_facade(TargetScene& scene, uint32_t number) {
   for (const uint32_t i : opening_points(scene, object, *plane, range,
                                          [&](const Vec3& p) { return between(p, a, b, margin); }))
     scene.owner[i] = number;
-  for (size_t k = first; k < scene.openings.size(); ++k) scene.openings[k].has_sill = true;
+  for (size_t k = first; k < scene.openings.size(); ++k) {
+    scene.openings[k].has_sill = true;
+    take_ajar(scene, scene.openings[k], number);
+  }
 }
 
 }  // namespace
