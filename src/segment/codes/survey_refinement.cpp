@@ -7,9 +7,12 @@
 #include "base/parallel.h"
 #include "base/text_number.h"
 #include "geometry/polygon2.h"
+#include "segment/codes/ajar_leaf.h"
 #include "segment/codes/building_sides.h"
 #include "segment/codes/opening_front.h"
+#include "segment/codes/opening_sides.h"
 #include "segment/codes/pipe_places.h"
+#include "segment/codes/plan_tiles.h"
 #include "segment/codes/survey_space.h"
 
 namespace jalon {
@@ -27,11 +30,14 @@ bool is_opening(const CodedObject& object) {
          object.shape.kind == CodeShape::Kind::kOutline;
 }
 
-// The same objects, openings with a thicker layer.
+// The same pipes, and openings with a thicker layer, wherever they lie in a building: of a frame far behind the eaves
+// the panes lie where the shell is hollow.
 CodedObjects thickened(const CodedObjects& objects) {
   CodedObjects out{objects.origin, objects.objects, {}};
   for (CodedObject& object : out.objects)
     if (is_opening(object)) object.row.distance_m = kAboutPlane_m;
+    else if (object.shape.kind == CodeShape::Kind::kPrism)
+      object.shape.kind = CodeShape::Kind::kNone;
   return out;
 }
 
@@ -65,7 +71,8 @@ class Refinement {
         thick_(thickened(objects)),
         bare_(buildings_of(objects)),
         near_(table, thick_, wide(about_)),
-        shells_(table, bare_, settings) {}
+        shells_(table, bare_, settings),
+        tiles_(cloud, objects.origin, task) {}
 
   // 1. the points about each opening; 2. its front among them; 3. points at it and up to the text's distance behind it
   // are the opening's, the others their wall's.
@@ -119,6 +126,11 @@ class Refinement {
     return u > -margin && u < width + margin && p.z > s.low_m - margin && p.z < s.high_m + margin;
   }
 
+  static OpeningEnds ends_of(const CodedObject& object) {
+    const CodeShape& s = object.shape;
+    return {0, norm(in_plan(s.corner_b - s.corner_a)), s.low_m, s.high_m};
+  }
+
   Vec3 local(size_t i) const { return cloud_.point(i) - objects_.origin; }
 
   std::vector<uint32_t> objects_near() {
@@ -156,15 +168,45 @@ class Refinement {
       }
     OpeningFront front;
     if (!find_opening_front(flat, front)) return;
+    const OpeningSides sides(flat, front, ends_of(object));
     const auto number = static_cast<uint32_t>(k + 1);
     for (size_t j = 0; j < kept.size(); ++j) {
       const double before = flat[j].y - front.before(flat[j].x);
       const double most = plane.has_outside ? kBeforeFront_m : object.row.distance_m;
-      const bool is_its = before < most && before > -object.row.distance_m;
+      const bool is_its = before < most && before > -object.row.distance_m &&
+                          !(plane.has_outside && sides.is_reveal(flat[j], front));
       uint32_t& owner = object_of_point[kept[j]];
       if (is_its) owner = number;
       else if (owner == number) owner = shells_.object_at(local(kept[j]));
     }
+    if (plane.has_outside) share_ajar(k, plane, front, object_of_point);
+  }
+
+  // A leaf that stands open is its opening's, wherever behind the wall it ends.
+  void share_ajar(size_t k, const OpeningPlane& plane, const OpeningFront& front,
+                  std::vector<uint32_t>& object_of_point) {
+    const CodedObject& object = objects_.objects[k];
+    const auto number = static_cast<uint32_t>(k + 1);
+    const OpeningEnds ends = ends_of(object);
+    const double width = ends.right_m, margin = settings_.opening_margin_m;
+    std::vector<Vec3> flat;
+    std::vector<uint32_t> kept;
+    const Vec2 middle = in_plan(0.5 * (object.shape.corner_a + object.shape.corner_b));
+    for (const uint32_t i : tiles_.points_about(middle, width)) {
+      const uint32_t owner = object_of_point[i];
+      const Vec2 at = plane.of(local(i));
+      const bool is_of_another = owner != 0 && owner != number &&
+                                 objects_.objects[owner - 1].shape.kind != CodeShape::Kind::kPrism;
+      if (is_of_another || !is_beside(object, plane, local(i)) || at.v > margin ||
+          at.v < -kWidestAjar * width - kAboutPlane_m)
+        continue;
+      flat.push_back({at.u, at.v, local(i).z});
+      kept.push_back(i);
+    }
+    AjarLeaf leaf;
+    if (!find_ajar_leaf(flat, front, ends, width, leaf)) return;
+    for (size_t j = 0; j < kept.size(); ++j)
+      if (leaf.holds(flat[j], object.row.distance_m)) object_of_point[kept[j]] = number;
   }
 
   const Cloud& cloud_;
@@ -174,6 +216,7 @@ class Refinement {
   Task& task_;
   CodedObjects thick_, bare_;
   SurveySpace near_, shells_;
+  PlanTiles tiles_;
 };
 
 }  // namespace

@@ -77,6 +77,32 @@ TEST_CASE("survey_refinement__a_window_that_was_measured_3_cm_too_deep_is_found"
   CHECK(window.confused(CodeForm::kImproved, 3, 1, codes) == 0);
 }
 
+TEST_CASE("survey_refinement__a_frame_farther_behind_the_eaves_than_the_shell_is_deep_is_found") {
+  // The outline is the edge of the roof 6 cm before the wall, the frame 26 cm behind it: the shell is hollow there.
+  const RevealedWindow window;
+  const std::string codes =
+      "1;0;-0.06;3;300.2\n2;10;-0.06;3;300.4\n3;10;8;3;300.4\n4;0;8;3;300.4\n5;0;-0.06;0;300.4\n"
+      "8;5;0.2;1;360\n9;7;0.2;2;360\n";
+  CHECK(window.confused(CodeForm::kSource, 3, 0, codes) > 500);
+  CHECK(window.confused(CodeForm::kImproved, 3, 0, codes) == 0);
+}
+
+TEST_CASE("survey_refinement__a_leaf_that_stands_open_is_its_windows") {
+  // The same hole, its frame turned inward by 15 degrees about its left end: its free end lies 0.7 m behind the wall.
+  RevealedWindow window;
+  size_t frame = 0;
+  for (size_t i = 0; i < window.points.size(); ++i)
+    if (window.truth[i] == 3) {
+      const double angle = std::acos(-1.0) / 12, u = window.points[i].x - 5;
+      window.points[i].x = 5 + std::cos(angle) * u;
+      window.points[i].y = 0.2 + std::sin(angle) * u;
+      ++frame;
+    }
+  const std::string codes = kBuilding + "8;5;0.2;1;360\n9;7;0.2;2;360\n";
+  CHECK(window.confused(CodeForm::kSource, 3, 3, codes) < frame / 2);
+  CHECK(window.confused(CodeForm::kImproved, 3, 3, codes) > frame * 98 / 100);
+}
+
 TEST_CASE("survey_refinement__a_shifted_gutter_is_warned_of_by_name_and_moved") {
   std::vector<Vec3> points;
   for (int k = 0; k < 140; ++k)

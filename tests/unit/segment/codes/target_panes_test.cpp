@@ -55,6 +55,30 @@ TEST_CASE("target_panes__improved_reveals_are_no_windows") {
   CHECK(house.confused(improved, 2, 2) == house.of(2));
 }
 
+TEST_CASE("target_panes__improved_a_leaf_that_stands_open_is_a_window") {
+  // Between the two with targets a narrow one, turned inward by 20 degrees about either end.
+  for (const bool is_left : {true, false}) {
+    TargetHouse house;
+    const double angle = std::acos(-1.0) / 9;
+    size_t first = house.points.size();
+    for (double u = 0.01; u < 0.6; u += 0.02)
+      for (double z = 1.01; z < 2; z += 0.02)
+        house.add({is_left ? 6.2 + std::cos(angle) * u : 6.8 - std::cos(angle) * u,
+                   0.2 + std::sin(angle) * u, z},
+                  3);
+    TargetCodeSettings settings;
+    settings.input.codes = house.targets;
+    settings.input.form = CodeForm::kImproved;
+    Task task;
+    const Segmentation s = segment_by_target_codes(cloud_of(house.points), settings, task);
+    const auto classes = s.cloud->fields.require("classification").values<uint8_t>();
+    size_t right = 0;
+    const size_t all = house.points.size() - first;
+    for (; first < house.points.size(); ++first) right += classes[first] == 3;
+    CHECK(right > all * 98 / 100);
+  }
+}
+
 TEST_CASE("target_panes__improved_a_flush_leaf_is_found_among_the_waves_of_its_wall") {
   // The same wall and leaf as everywhere, the wall in waves about it.
   TargetHouse house(0.02);
