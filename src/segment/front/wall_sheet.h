@@ -32,6 +32,7 @@ class WallSheet {
   Vec3 point_of(const WallPlace& p) const {
     return p.u * along_ + p.v * up_ + (p.d + plane_.offset) * plane_.normal;
   }
+  const Vec3& normal() const { return plane_.normal; }
   double cell_m() const { return cell_m_; }
   size_t cells() const { return columns_ * rows_; }
   double left() const { return left_; }

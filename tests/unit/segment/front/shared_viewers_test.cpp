@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "unit/segment/front/made_walls.h"
 
 using namespace jalon;
@@ -42,4 +44,29 @@ TEST_CASE("share_viewers__says_nothing_of_a_wall_that_is_hidden_from_the_viewer"
   m.upright({0, 8, 0}, 1, 10, 5);  // the back of the house
   const std::vector<double> odds = shared(m);
   CHECK(odds[1] == 0);
+}
+
+TEST_CASE("share_viewers__a_sure_storey_tells_the_larger_one_that_stands_out_over_it") {
+  for (const double right : {1.0, -1.0}) {
+    MadeWalls m;
+    m.upright({0, 0, 0}, 1, 10, 2.5);
+    m.upright({right > 0 ? 0.0 : 10.0, -0.3, 2.5}, right, 10, 9);
+    CHECK(right * shared(m)[1] > 5);
+  }
+}
+
+TEST_CASE("share_viewers__the_back_wall_of_an_arcade_was_seen_through_its_arches") {
+  MadeWalls m;
+  m.upright({0, 3.8, 0}, 1, 12, 3.5);
+  // Four arches and three storeys of wall over them.
+  m.upright({0, 0, 0}, 1, 12, 12,
+            [](double a, double b) { return b > 3.5 || std::fmod(a, 3) < 0.5; });
+  CHECK(shared(m)[1] > 0.5);
+}
+
+TEST_CASE("share_viewers__a_small_wall_in_a_room_says_little_of_the_facade_before_it") {
+  MadeWalls m;
+  m.upright({4, 4, 1}, 1, 2, 2);
+  m.upright({0, 0, 0}, 1, 10, 10, is_wall);
+  CHECK(std::fabs(shared(m)[1]) < 0.7);
 }
