@@ -98,6 +98,30 @@ std::vector<Recess> recesses_of(const WallEvidence& plane, const WallEvidence& f
   return out;
 }
 
+// The box of an opening of the wall before, in the plane of the one behind it.
+RingBox box_behind(const Recess& recess, const WallCells& cells) {
+  const RingBox outer = recess.box.grown(recess.front->cells.cell_m);
+  RingBox out;
+  for (const Vec2& corner : {outer.low, outer.high})
+    out.add(cells.frame.project(recess.front->cells.frame.lift(corner)));
+  return out;
+}
+
+// Step 4: the foot, and of rectangles the other sides.
+void cut_to(const RingBox& box, OpeningShape& shape) {
+  if (shape.kind != ShapeKind::kRectangle && shape.kind != ShapeKind::kArch &&
+      shape.kind != ShapeKind::kGable)
+    return;
+  OpeningShape cut = shape;
+  cut.sizes[2] = std::max(cut.sizes[2], box.low.v);
+  if (shape.kind == ShapeKind::kRectangle) {
+    cut.sizes[0] = std::max(cut.sizes[0], box.low.u);
+    cut.sizes[1] = std::min(cut.sizes[1], box.high.u);
+    cut.sizes[3] = std::min(cut.sizes[3], box.high.v);
+  }
+  if (cut.is_valid()) shape = cut;
+}
+
 }  // namespace
 
 void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& all, Task& task) {
@@ -132,6 +156,14 @@ void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& 
   for (size_t s = 0; s < all.size(); ++s)
     all[s].is_recess = joined[s] > 0 && static_cast<double>(joined[s]) >=
                                             kMostlyJoined * static_cast<double>(cells[s]);
+  // 4. Where their openings end: storeys hide what lies between the openings that they are seen through.
+  for (size_t k = 0; k < recesses.size(); ++k) {
+    WallEvidence& plane = all[back[k]];
+    if (!plane.is_recess) continue;
+    const RingBox box = box_behind(recesses[k], plane.cells);
+    for (OpeningCandidate& opening : plane.openings)
+      if (opening.is_opening && box.holds(opening.shape.box().middle())) cut_to(box, opening.shape);
+  }
 }
 
 }  // namespace jalon

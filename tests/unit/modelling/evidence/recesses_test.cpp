@@ -64,3 +64,33 @@ TEST_CASE("tell_recesses__the_leaf_of_a_deep_portal_has_no_openings_and_is_none"
   for (const double left : {1.0, 7.0}) add_layer(front.back, left + 1, 3.6, 1, 1.4, kBack_m);
   CHECK_FALSE(front.is_recess());
 }
+
+TEST_CASE("tell_recesses__an_opening_ends_where_the_one_that_it_is_seen_through_ends") {
+  // Two storeys of loggias; a parapet hides the upper back wall's foot, down to the head of the lower loggia.
+  constexpr double kFeet_m[] = {1, 4}, kWide_m = 3, kHigh_m = 2.4, kParapet_m = 0.8;
+  std::vector<Vec3> wall, back, sides, panes;
+  add_layer(wall, 0, 0, 12, 7, 0);
+  for (const double left : {1.0, 7.0})
+    for (const double foot : kFeet_m) {
+      cut(wall, left, foot, kWide_m, kHigh_m);
+      const double low = foot + (foot > 1 ? kParapet_m : 0), high = foot + kHigh_m;
+      add_layer(back, left, low, kWide_m, high - low, kBack_m);
+      cut(back, left + 1, foot + 0.2, 1, 1.7);
+      add_layer(panes, left + 1, low, 1, foot + 1.9 - low, kBack_m + 0.15);
+      for (double y = kStep_m / 2; y < kBack_m; y += kStep_m)
+        for (double z = low + kStep_m / 2; z < high; z += kStep_m) sides.push_back({left, y, z});
+    }
+  const auto evidence = evidence_of({wall, back, panes}, 1, sides);
+  CHECK(evidence[1].is_recess);
+  size_t upper = 0;
+  for (const OpeningCandidate& opening : evidence[1].openings) {
+    const PlaneFrame& frame = evidence[1].cells.frame;
+    const double foot = frame.lift(opening.shape.box().low).z,
+                 head = frame.lift(opening.shape.box().high).z;
+    if (!opening.is_opening || head < kFeet_m[1] + kParapet_m) continue;
+    ++upper;
+    CHECK(foot > kFeet_m[1] - 0.15);
+    CHECK(foot < kFeet_m[1] + kParapet_m);
+  }
+  CHECK(upper == 2);
+}
