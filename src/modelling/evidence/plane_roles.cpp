@@ -341,9 +341,10 @@ bool is_filling_at(const WallEvidence& wall, const Vec3& p) {
   const Foot foot(wall.cells, p);
   if (!foot.is_on_map || foot.depth_m <= wall.cells.on_m / 2 || foot.depth_m > kFillingDepth_m)
     return false;
-  // A cell with a point of the wall ends an opening: frames stand in its rim.
+  // A cell with a point of the wall ends an opening: frames stand in its rim. Between posts of timber no wall is broad,
+  // but it was measured all about.
   return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
-    return opening.is_opening && is_framed(opening) &&
+    return opening.is_opening && (is_framed(opening) || opening.bordered >= kEnclosedShare) &&
            opening.shape.grown(wall.cells.cell_m).holds(foot.at);
   });
 }

@@ -26,7 +26,8 @@ namespace jalon {
 /// Told again, of planes that were told before, all is forgotten first.
 void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task);
 
-/// Whether a place lies in a framed opening of a wall, as deep behind the wall as panes and leaves are.
+/// Whether a place lies in an opening that a wall frames or was measured all about, as deep behind the wall as panes and
+/// leaves are.
 bool is_filling_at(const WallEvidence& wall, const Vec3& p);
 
 /// Of a plane's points in such openings: what fills them has that many there.

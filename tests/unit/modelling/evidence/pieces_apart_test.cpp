@@ -68,6 +68,27 @@ Segmentation mansard(bool has_dormers) {
   return out;
 }
 
+// A half-timbered storey that stands out over the one below as far as its panes stand back: between posts that touch the
+// windows, strips of its wall are narrow.
+Segmentation jettied() {
+  constexpr double kJetty_m = 0.1, kPost_m = 0.2, kProud_m = 0.03;
+  std::vector<std::vector<Vec3>> parts(3);
+  auto &lower = parts[0], &upper = parts[1], &posts = parts[2];
+  add_layer(lower, 0, 0, 6, 2.5, kJetty_m);
+  add_layer(upper, 0, 2.5, 6, 2.5, 0);
+  for (const double u : {0.0, 1.5, 3.0, 4.5, 5.8}) {
+    cut(upper, u, 2.5, kPost_m, 2.5);
+    add_layer(posts, u, 2.5, kPost_m, 2.5, -kProud_m);
+  }
+  for (const double u : {0.3, 1.8, 3.3}) {
+    cut(upper, u, 3.4, 1.1, 1);
+    add_layer(parts.emplace_back(), u, 3.4, 1.1, 1, kJetty_m);
+  }
+  Segmentation out = walls::segmentation_of(parts);
+  set_areas(out, parts);
+  return out;
+}
+
 }  // namespace
 
 TEST_CASE("pieces_apart__surrounds_in_the_plane_of_the_house_next_door_stay_with_their_own") {
@@ -126,4 +147,20 @@ TEST_CASE("pieces_apart__leaves_alone_stay_together") {
   const Segmentation joined = joined_pieces(given, whole, task);
   const auto evidence = gather_evidence(joined, {}, task);
   CHECK(pieces_apart(given, whole, evidence, kRelief_m, task) == whole);
+}
+
+TEST_CASE("pieces_apart__panes_between_posts_leave_the_storey_below_in_their_plane") {
+  const Segmentation given = jettied();
+  Task task;
+  const std::vector<uint32_t> whole = whole_walls(given, 0.03, task);
+  for (size_t s = 3; s < 6; ++s) CHECK(whole[s] == whole[0]);  // all on one plane
+  Segmentation segmentation = given;
+  const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
+  std::vector<size_t> points(given.segments.size() + 1);
+  for (const uint32_t label : segmentation.labels->values<uint32_t>()) ++points[label];
+  CHECK(points[1] == given.segments[0].point_count());
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  for (size_t s = 3; s < 6; ++s)
+    if (points[s + 1] > 0) CHECK(evidence[s].role == PlaneRole::kFilling);
 }
