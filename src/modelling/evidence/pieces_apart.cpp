@@ -35,6 +35,7 @@ double share_of(std::span<const uint32_t> points, F&& holds) {
 }
 
 // Whether most of a piece's points lie in openings of walls that explain more than the piece does.
+// Surrounds that touch each other enclose walls as posts enclose panes: of a pane less was measured than of its wall.
 bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, double explained,
                       const WallEvidence& whole, const std::vector<WallEvidence>& evidence) {
   std::vector<const WallEvidence*> walls;
@@ -42,11 +43,12 @@ bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, doub
     if (&wall != &whole && !wall.empty() && is_outer(wall.role) && explained_m2(wall) > explained &&
         dot(wall.cells.frame.normal, whole.cells.frame.normal) >= kPiecesSameWay)
       walls.push_back(&wall);
-  return !walls.empty() && share_of(points, [&](uint32_t i) {
-                             return std::any_of(walls.begin(), walls.end(), [&](const auto* wall) {
-                               return is_filling_at(*wall, cloud.point(i));
-                             });
-                           }) >= kFillingShare;
+  return !walls.empty() &&
+         share_of(points, [&](uint32_t i) {
+           return std::any_of(walls.begin(), walls.end(), [&](const auto* wall) {
+             return is_filling_at(*wall, cloud.point(i), wall->measured_m2 > explained);
+           });
+         }) >= kFillingShare;
 }
 
 // Whether the wall was measured this near to a place before or behind it.

@@ -337,14 +337,14 @@ double explained_m2(const WallEvidence& plane) {
   return sum;
 }
 
-bool is_filling_at(const WallEvidence& wall, const Vec3& p) {
+bool is_filling_at(const WallEvidence& wall, const Vec3& p, bool by_border) {
   const Foot foot(wall.cells, p);
   if (!foot.is_on_map || foot.depth_m <= wall.cells.on_m / 2 || foot.depth_m > kFillingDepth_m)
     return false;
-  // A cell with a point of the wall ends an opening: frames stand in its rim. Between posts of timber no wall is broad,
-  // but it was measured all about.
+  // A cell with a point of the wall ends an opening: frames stand in its rim.
   return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
-    return opening.is_opening && (is_framed(opening) || opening.bordered >= kEnclosedShare) &&
+    return opening.is_opening &&
+           (is_framed(opening) || (by_border && opening.bordered >= kEnclosedShare)) &&
            opening.shape.grown(wall.cells.cell_m).holds(foot.at);
   });
 }

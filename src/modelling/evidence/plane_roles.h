@@ -26,9 +26,9 @@ namespace jalon {
 /// Told again, of planes that were told before, all is forgotten first.
 void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task);
 
-/// Whether a place lies in an opening that a wall frames or was measured all about, as deep behind the wall as panes and
-/// leaves are.
-bool is_filling_at(const WallEvidence& wall, const Vec3& p);
+/// Whether a place lies in an opening that a wall frames, as deep behind the wall as panes and leaves are; by_border: or
+/// in one that it was measured all about. Between posts of timber no wall is broad enough to frame anything.
+bool is_filling_at(const WallEvidence& wall, const Vec3& p, bool by_border);
 
 /// Of a plane's points in such openings: what fills them has that many there.
 inline constexpr double kFillingShare = 0.6;

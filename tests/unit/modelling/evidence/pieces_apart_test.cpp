@@ -6,6 +6,7 @@
 
 #include "modelling/evidence/coplanar.h"
 #include "modelling/evidence/pieces_apart.h"
+#include "modelling/evidence/plane_roles.h"
 #include "unit/modelling/layers.h"
 
 using namespace jalon;
@@ -89,6 +90,23 @@ Segmentation jettied() {
   return out;
 }
 
+// A wall in two pieces; before the larger one a narrow band runs all about most of it, in the plane of the house farther
+// along, which has large windows.
+Segmentation banded() {
+  constexpr double kProud_m = 0.06;
+  std::vector<std::vector<Vec3>> parts(3);
+  add_layer(parts[0], 0, 0, 4, 8, 0);
+  add_layer(parts[1], 6, 0, 2, 8, 0);
+  add_layer(parts[2], 0.2, 0.2, 3.6, 7.6, -kProud_m);
+  cut(parts[2], 0.32, 0.32, 3.36, 7.36);
+  add_layer(parts[2], 12, 0, 6, 6, -kProud_m);
+  for (const double u : {12.7, 15.3})
+    for (const double v : {0.7, 3.3}) cut(parts[2], u, v, 2, 2);
+  Segmentation out = walls::segmentation_of(parts);
+  set_areas(out, parts);
+  return out;
+}
+
 }  // namespace
 
 TEST_CASE("pieces_apart__surrounds_in_the_plane_of_the_house_next_door_stay_with_their_own") {
@@ -163,4 +181,14 @@ TEST_CASE("pieces_apart__panes_between_posts_leave_the_storey_below_in_their_pla
   CHECK(evidence[1].role == PlaneRole::kWall);
   for (size_t s = 3; s < 6; ++s)
     if (points[s + 1] > 0) CHECK(evidence[s].role == PlaneRole::kFilling);
+}
+
+TEST_CASE("pieces_apart__a_wall_within_a_band_is_no_pane_of_it") {
+  const Segmentation given = banded();
+  Task task;
+  const std::vector<uint32_t> whole = whole_walls(given, 0.03, task);
+  CHECK(whole[1] == whole[0]);
+  const auto evidence = gather_evidence(joined_pieces(given, whole, task), {}, task);
+  CHECK(explained_m2(evidence[2]) > given.segments[0].area_m2);
+  CHECK(pieces_apart(given, whole, evidence, kRelief_m, task) == whole);
 }
