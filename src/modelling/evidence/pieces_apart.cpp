@@ -34,8 +34,18 @@ double share_of(std::span<const uint32_t> points, F&& holds) {
   return looked > 0 ? static_cast<double>(held) / static_cast<double>(looked) : 0;
 }
 
+// Whether windows lie within what a piece reaches over: panes and leaves have none, wings have.
+bool has_windows(const Cloud& cloud, std::span<const uint32_t> points, const WallEvidence& whole) {
+  const size_t step = std::max<size_t>(1, points.size() / kPiecePoints);
+  RingBox reach;
+  for (size_t i = step / 2; i < points.size(); i += step)
+    reach.add(whole.cells.frame.project(cloud.point(points[i])));
+  return std::any_of(whole.openings.begin(), whole.openings.end(), [&](const auto& opening) {
+    return opening.is_opening && is_framed(opening) && reach.holds(opening.shape.box().middle());
+  });
+}
+
 // Whether most of a piece's points lie in openings of walls that explain more than the piece does.
-// Surrounds that touch each other enclose walls as posts enclose panes: of a pane less was measured than of its wall.
 bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, double explained,
                       const WallEvidence& whole, const std::vector<WallEvidence>& evidence) {
   std::vector<const WallEvidence*> walls;
@@ -43,10 +53,12 @@ bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, doub
     if (&wall != &whole && !wall.empty() && is_outer(wall.role) && explained_m2(wall) > explained &&
         dot(wall.cells.frame.normal, whole.cells.frame.normal) >= kPiecesSameWay)
       walls.push_back(&wall);
-  return !walls.empty() &&
-         share_of(points, [&](uint32_t i) {
+  if (walls.empty()) return false;
+  // Cornices and surrounds enclose wings as posts enclose panes.
+  const bool by_border = !has_windows(cloud, points, whole);
+  return share_of(points, [&](uint32_t i) {
            return std::any_of(walls.begin(), walls.end(), [&](const auto* wall) {
-             return is_filling_at(*wall, cloud.point(i), wall->measured_m2 > explained);
+             return is_filling_at(*wall, cloud.point(i), by_border);
            });
          }) >= kFillingShare;
 }
