@@ -241,6 +241,20 @@ std::vector<double> part_offsets(const SurfaceCores& reference, const SurfaceCor
   return out;
 }
 
+/// Whether most surfaces have the other epoch's within the reach of their own points: only then are both epochs of one
+/// scene, and what they differ by a matter of registration.
+bool is_of_one_scene(const SurfaceCores& reference, const SurfaceCores& compared,
+                     const std::vector<CoreTest>& tests) {
+  size_t all = 0, near = 0;
+  for (size_t k = 0; k < tests.size(); ++k) {
+    if (!tests[k].has_surface) continue;
+    ++all;
+    const double reach = std::max(compared[k].radius_m, reference[tests[k].surface].radius_m);
+    near += std::abs(tests[k].distance_m) <= reach ? 1 : 0;
+  }
+  return 2 * near > all;
+}
+
 // Step 2.
 double misalignment_m(const Tester& tester, const SurfaceCores& reference,
                       const SurfaceCores& compared, const std::vector<CoreTest>& tests,
@@ -250,7 +264,7 @@ double misalignment_m(const Tester& tester, const SurfaceCores& reference,
   for (size_t k = 0; k < tests.size(); k += step)
     if (tests[k].has_surface) sample.push_back(tests[k]);
   double out = common_error_m(tester, sample, task);
-  if (out == 0) return 0;  // registered to their noise
+  if (out == 0 || !is_of_one_scene(reference, compared, tests)) return 0;  // 0: to their noise
   const std::vector<double> parts = part_offsets(reference, compared, tests);
   for (const auto& [share, sigmas] : kNormalQuantiles)
     if (!parts.empty())

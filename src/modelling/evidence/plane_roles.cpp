@@ -230,8 +230,8 @@ bool fills_openings(const WallEvidence& plane, const std::vector<const WallEvide
   return share_of(inside, on) >= kFillingShare;
 }
 
-// Two explanations of a lattice a hand's breadth before a plane that has windows: a wall whose openings that plane
-// fills, or timbers on the wall that it is. The one of which more was measured holds.
+// Two explanations of a lattice as far before a plane that has windows as things are fixed to walls: a wall whose
+// openings that plane fills, or timbers or lesenes on the wall that it is. The one of which more was measured holds.
 bool is_lattice_on(const WallEvidence& lattice, const WallEvidence& wall,
                    const CellSetting& setting) {
   if (!wall.is_wall() || !wall.has_framed_openings() || wall.measured_m2 <= lattice.measured_m2 ||
@@ -239,7 +239,7 @@ bool is_lattice_on(const WallEvidence& lattice, const WallEvidence& wall,
     return false;
   const Placement p = placement_of(lattice, wall);
   return p.within >= kWithinShare && p.depth_m < -wall.cells.on_m / 2 &&
-         p.depth_m >= -setting.relief_m;
+         p.depth_m >= -setting.proud_m;
 }
 
 std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all,

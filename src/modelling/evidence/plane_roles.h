@@ -15,8 +15,8 @@ namespace jalon {
 /// 2. Surrounds, panes, leaves: of two planes near each other the one that explains more is the wall: what was measured
 ///    of it, and its openings as far as it frames them. So a lattice of posts comes before the panes in its bays, and
 ///    a wall before the surrounds of its windows, however far apart they stand.
-///    Timbers that frame panels count by what was measured of them alone where more was of a wall with windows close
-///    behind them.
+///    Timbers and lesenes that frame panels count by what was measured of them alone where more was of a wall with
+///    windows close behind them.
 /// 3. What was taken for an opening but is not framed, and another wall with openings of its own fills it: there the
 ///    one wall ends and the other begins (a house that stands back by a hand's breadth). So it does where hardly
 ///    anything was seen through, and such a wall stands before it: a bay window.
@@ -26,8 +26,8 @@ namespace jalon {
 /// Told again, of planes that were told before, all is forgotten first.
 void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task);
 
-/// Whether a place lies in an opening that a wall frames, as deep behind the wall as panes and leaves are; by_border: or
-/// in one that it was measured all about. Between posts of timber no wall is broad enough to frame anything.
+/// Whether a place lies in an opening that a wall frames, as deep behind the wall as panes and leaves are; by_border:
+/// or in one that it was measured all about. Between posts of timber no wall is broad enough to frame anything.
 bool is_filling_at(const WallEvidence& wall, const Vec3& p, bool by_border);
 
 /// Of a plane's points in such openings: what fills them has that many there.

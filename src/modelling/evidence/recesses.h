@@ -14,7 +14,8 @@ namespace jalon {
 /// hangs behind it nothing is seen at their sides.
 ///
 /// Before: roles. After: is_recess of walls whose area in such openings is mostly in openings with a side, a head or a
-/// floor measured all along the depth. Openings of these walls end where the opening ends that they are seen through. The same bits for any number of threads. O(points x such openings).
+/// floor measured all along the depth. Openings of these walls end where the opening ends that they are seen through.
+/// The same bits for any number of threads. O(points x such openings).
 void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& all, Task& task);
 
 }  // namespace jalon

@@ -42,7 +42,7 @@ constexpr auto kJointRows = setting_rows(
         "they stay."),
     number_row<&S::ground_correlation_m>(
         "ground_correlation_m", 0.01, 1e5, "m", "",
-        "The ground's errors hang together: their correlation is 1/e after this way driven."),
+        "The ground's errors hang together: distance driven after which their correlation is 1/e."),
     doubles_row<&S::control_points>(
         "control_points", -1e9, 1e9, "", "",
         "Points whose place is known, six numbers each: when it was seen (s), x and y that the "

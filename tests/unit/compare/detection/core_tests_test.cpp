@@ -111,6 +111,12 @@ TEST_CASE("core_tests__walls_that_stations_of_other_misfits_saw_have_not_moved")
   }
 }
 
+TEST_CASE("core_tests__scenes_that_have_nothing_in_common_are_not_misaligned") {
+  std::vector<Vec3> elsewhere = walls(71, 0);
+  for (Vec3& p : elsewhere) p.y += 4;
+  CHECK(tests_of(walls(72, 0), elsewhere).misalignment_m == 0);
+}
+
 TEST_CASE("core_tests__what_moved_farther_than_the_misfits_is_found_among_them") {
   size_t found = 0;
   for (uint64_t seed = 51; seed <= 56; ++seed)

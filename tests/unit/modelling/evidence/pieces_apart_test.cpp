@@ -71,8 +71,8 @@ Segmentation mansard(bool has_dormers) {
   return out;
 }
 
-// A half-timbered storey that stands out over the one below as far as its panes stand back: between posts that touch the
-// windows, strips of its wall are narrow.
+// A half-timbered storey that stands out over the one below as far as its panes stand back: between posts that touch
+// the windows, strips of its wall are narrow.
 Segmentation jettied() {
   constexpr double kJetty_m = 0.1, kPost_m = 0.2, kProud_m = 0.03;
   std::vector<std::vector<Vec3>> parts(3);
@@ -92,8 +92,8 @@ Segmentation jettied() {
   return out;
 }
 
-// A wall in two pieces; before the larger one, with or without windows, a narrow band runs all about most of it, in the plane of the house farther
-// along, which has large windows.
+// A wall in two pieces; before the larger one, with or without windows, a narrow band runs all about most of it, in the
+// plane of the house farther along, which has large windows.
 Segmentation banded(bool has_windows) {
   constexpr double kProud_m = 0.06;
   std::vector<std::vector<Vec3>> parts(3);

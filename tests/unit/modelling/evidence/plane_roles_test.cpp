@@ -153,6 +153,25 @@ TEST_CASE("tell_roles__timbers_that_frame_panels_are_relief_of_the_wall_with_the
   CHECK(lattice[1].role == PlaneRole::kWall);
 }
 
+TEST_CASE("tell_roles__lesenes_are_relief_as_far_before_the_wall_as_things_are_fixed_to_it") {
+  // Three lesenes, a plinth and a cornice about two bays with a window each.
+  constexpr double kLesene_m = 0.2, kBay_m = 2.7, kTall_m = 6;
+  for (const double proud_m : {0.09, 0.11, 0.16, 0.22}) {
+    CAPTURE(proud_m);
+    std::vector<Vec3> wall = house(0, 0), lesenes;
+    add_layer(lesenes, 0, 0, 6, kTall_m, -proud_m);
+    for (const double left : {0.0, kLesene_m + kBay_m}) {
+      cut(lesenes, left + kLesene_m, kLesene_m, kBay_m, kTall_m - 2 * kLesene_m);
+      cut(wall, left, 0, kLesene_m, kTall_m);
+    }
+    cut(wall, 6 - kLesene_m, 0, kLesene_m, kTall_m);
+    for (const double foot : {0.0, kTall_m - kLesene_m}) cut(wall, 0, foot, 6, kLesene_m);
+    const auto evidence = evidence_of({wall, lesenes});
+    CHECK(evidence[0].role == PlaneRole::kWall);
+    CHECK(evidence[1].role == PlaneRole::kRelief);
+  }
+}
+
 TEST_CASE("tell_roles__frames_in_the_rims_of_windows_fill_them") {
   // 10 cm wide, 12 cm behind the wall, about lights of glass that returned nothing.
   constexpr double kBar_m = 0.1, kLight_m = 0.45, kLightHeight_m = 0.65;
