@@ -313,4 +313,16 @@ uint64_t count_of(const Cloud& cloud) {
   return count;
 }
 
+bool has_all_stations(const Cloud& cloud) {
+  uint64_t stations = 0, placed = 0;
+  must(jalon_cloud_station_count(cloud.get(), &stations));
+  for (uint64_t i = 0; i < stations; ++i) {
+    int32_t has_pose = 0;
+    uint64_t points = 0;
+    must(jalon_cloud_station(cloud.get(), i, nullptr, &has_pose, nullptr, nullptr, &points));
+    if (has_pose != 0) placed += points;
+  }
+  return placed > 0 && placed == count_of(cloud);
+}
+
 }  // namespace jalon::cli

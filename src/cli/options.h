@@ -87,6 +87,8 @@ void add_reading_of_two(Command& command, Input& first, const std::string& first
                         Input& second, const std::string& second_prefix);
 
 uint64_t count_of(const Cloud& cloud);
+/// Whether it has points, and for all of them stations with poses.
+bool has_all_stations(const Cloud& cloud);
 /// "X,Y,Z" in metres as the pose of an upright scanner.
 jalon_transform pose_at(const std::string& text);
 

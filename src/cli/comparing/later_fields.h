@@ -25,19 +25,6 @@ inline bool may_read_later(const Input& input) {
          input.box.empty() && input.only_station.empty();
 }
 
-/// Without poses of all its points the comparison looks for stations, and its cloud has others than the file.
-inline bool has_all_stations(const Cloud& cloud) {
-  uint64_t stations = 0, placed = 0;
-  must(jalon_cloud_station_count(cloud.get(), &stations));
-  for (uint64_t i = 0; i < stations; ++i) {
-    int32_t has_pose = 0;
-    uint64_t points = 0;
-    must(jalon_cloud_station(cloud.get(), i, nullptr, &has_pose, nullptr, nullptr, &points));
-    placed += has_pose != 0 ? points : 0;
-  }
-  return placed == count_of(cloud);
-}
-
 /// Of the fields of a cloud those that reports show, as an Input names them.
 inline std::string shown_fields(const Cloud& cloud) {
   Fields fields;
@@ -68,6 +55,7 @@ inline ReadScan read_to_compare(Console& console, const Input& input) {
   console.pass_over_warnings(false);
   lean.max_points = 0;
   ReadScan out{lean.read(console), true};
+  // Without the poses of all its points the comparison looks for stations, and its cloud has others than the file.
   if (!has_all_stations(out.cloud)) out = {read_again(console, input)};
   return out;
 }

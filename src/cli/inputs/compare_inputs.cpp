@@ -11,18 +11,6 @@ namespace jalon::cli {
 
 namespace {
 
-bool has_stations(const Cloud& cloud) {
-  uint64_t stations = 0, placed = 0;
-  must(jalon_cloud_station_count(cloud.get(), &stations));
-  for (uint64_t i = 0; i < stations; ++i) {
-    int32_t has_pose = 0;
-    uint64_t points = 0;
-    must(jalon_cloud_station(cloud.get(), i, nullptr, &has_pose, nullptr, nullptr, &points));
-    if (has_pose != 0) placed += points;
-  }
-  return placed > 0 && placed == count_of(cloud);
-}
-
 // "x 1.2 ... 3.4, y ..."
 std::string ranges_of(const jalon_box& box) {
   const auto range = [](const char* name, double low, double high) {
@@ -112,7 +100,7 @@ Cloud sampled(const Console& console, const Model& model, const Settings& settin
 
 void choose_for_scans(const Cloud& reference, const Cloud& compared, bool both,
                       const Settings& settings, const Params& params) {
-  const bool known = has_stations(reference) && (!both || has_stations(compared));
+  const bool known = has_all_stations(reference) && (!both || has_all_stations(compared));
   must(jalon_params_set_bool(params.get(), "detection", 1));
   must(jalon_params_set_string(params.get(), "visibility", known ? "stations" : "found"));
   settings.apply(params.get());
@@ -170,7 +158,8 @@ std::string said_of_shadows(const Cloud& reference, const Params& params, const 
   };
   const bool none = std::string(visibility) == "none" || has_none(forward) ||
                     (reverse != nullptr && has_none(*reverse));
-  if (!none && has_stations(reference)) return "what the scanners could not see has no distance";
+  if (!none && has_all_stations(reference))
+    return "what the scanners could not see has no distance";
   if (!none)
     return "what the scanners could not see has no distance; where they stood is found by the "
            "order of the points";

@@ -111,6 +111,13 @@ Segmentation banded(bool has_windows) {
   return out;
 }
 
+// Of each label from 0, for none.
+std::vector<size_t> points_by_label(const Segmentation& segmentation) {
+  std::vector<size_t> points(segmentation.segments.size() + 1);
+  for (const uint32_t label : segmentation.labels->values<uint32_t>()) ++points[label];
+  return points;
+}
+
 }  // namespace
 
 TEST_CASE("pieces_apart__surrounds_in_the_plane_of_the_house_next_door_stay_with_their_own") {
@@ -121,8 +128,7 @@ TEST_CASE("pieces_apart__surrounds_in_the_plane_of_the_house_next_door_stay_with
   CHECK(whole[5] == whole[0]);
   Segmentation segmentation = given;
   const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
-  std::vector<size_t> points(given.segments.size() + 1);
-  for (const uint32_t label : segmentation.labels->values<uint32_t>()) ++points[label];
+  const std::vector<size_t> points = points_by_label(segmentation);
   CHECK(points[1] == given.segments[0].point_count());
   CHECK(evidence[0].role == PlaneRole::kWall);
   CHECK(evidence[1].role == PlaneRole::kWall);
@@ -137,8 +143,7 @@ TEST_CASE("pieces_apart__frames_in_the_plane_of_the_house_next_door_stay_with_th
   CHECK(whole[3] == whole[1]);
   Segmentation segmentation = given;
   const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
-  std::vector<size_t> points(given.segments.size() + 1);
-  for (const uint32_t label : segmentation.labels->values<uint32_t>()) ++points[label];
+  const std::vector<size_t> points = points_by_label(segmentation);
   CHECK(points[2] == given.segments[1].point_count());
   CHECK(evidence[0].role == PlaneRole::kWall);
   CHECK(evidence[1].role == PlaneRole::kWall);
@@ -178,8 +183,7 @@ TEST_CASE("pieces_apart__panes_between_posts_leave_the_storey_below_in_their_pla
   for (size_t s = 3; s < 6; ++s) CHECK(whole[s] == whole[0]);  // all on one plane
   Segmentation segmentation = given;
   const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
-  std::vector<size_t> points(given.segments.size() + 1);
-  for (const uint32_t label : segmentation.labels->values<uint32_t>()) ++points[label];
+  const std::vector<size_t> points = points_by_label(segmentation);
   CHECK(points[1] == given.segments[0].point_count());
   CHECK(evidence[0].role == PlaneRole::kWall);
   CHECK(evidence[1].role == PlaneRole::kWall);
