@@ -18,18 +18,27 @@ namespace {
 constexpr auto kAutomaticRows = setting_rows(nested_rows<&AutomaticSettings::coarse, kCoarseRows>(),
                                              nested_rows<&AutomaticSettings::icp, kIcpRows>());
 
-constexpr size_t kMostTried = 3;  // of the poses that coarse found: each costs a fine registration
+// Score of a pose, of the best one's, below which none was right where the best was not: repeated facades and streets
+// of two stations came to 0.67 and 0.69.
+constexpr double kWorthTrying = 0.5;
 // Poses that put the moving cloud's centre or its outer points farther apart than this share of its extent are
 // different.
 constexpr double kDifferent = 0.02;
 
-// Step 2: the poses that coarse found, the best first.
-std::vector<Transform> poses_of(const Registration& coarse) {
-  std::vector<Transform> out;
+struct CoarsePose {
+  Transform T_reference_moving;
+  double score = 0;
+};
+
+// Step 2: the poses that coarse found, the best first; with repeated facades the right one is often the fourth.
+std::vector<CoarsePose> poses_of(const Registration& coarse) {
+  const auto scores = coarse.iteration_log.require("score").values<double>();
   const auto rows = coarse.iteration_log.require("pose").values<double>();
-  for (size_t i = 0; i + 12 <= rows.size() && out.size() < kMostTried; i += 12) {
-    out.emplace_back();
-    std::copy_n(rows.begin() + static_cast<ptrdiff_t>(i), 12, out.back().m.begin());
+  std::vector<CoarsePose> out(scores.size());
+  for (size_t i = 0; i < out.size(); ++i) {
+    std::copy_n(rows.begin() + static_cast<ptrdiff_t>(12 * i), 12,
+                out[i].T_reference_moving.m.begin());
+    out[i].score = scores[i];
   }
   return out;
 }
@@ -47,18 +56,24 @@ bool are_different(const Registration& a, const Registration& b) {
   return norm(away.point(b.centre) - b.centre) > most_m;
 }
 
-// Step 3: fine registration from the poses in turn, until one is accepted and coarse saw no rival.
+// Step 3: fine registration from the poses in turn, until one is accepted and no rival of it is left.
 std::vector<Registration> refined(const CloudPtr& reference, const CloudPtr& moving,
-                                  const Registration& coarse, const IcpSettings& settings,
+                                  const Registration& coarse, const AutomaticSettings& settings,
                                   Task& task) {
   std::vector<Registration> out;
-  const std::vector<Transform> poses = poses_of(coarse);
-  for (size_t i = 0; i < poses.size(); ++i) {
+  const std::vector<CoarsePose> poses = poses_of(coarse);
+  // Those below are not tried; of an accepted one, they are no rivals.
+  double least_score = poses.empty() ? 0 : kWorthTrying * poses[0].score;
+  bool has_accepted = false;
+  for (size_t i = 0; i < poses.size() && poses[i].score >= least_score; ++i) {
     const double whole = static_cast<double>(poses.size());
     const ProgressSpan span(task, static_cast<double>(i) / whole,
                             static_cast<double>(i + 1) / whole, nullptr);
-    out.push_back(register_icp(reference, moving, poses[i], settings, task));
-    if (coarse.converged && is_accepted(out.back())) break;
+    out.push_back(register_icp(reference, moving, poses[i].T_reference_moving, settings.icp, task));
+    if (!has_accepted && is_accepted(out.back())) {
+      has_accepted = true;
+      least_score = settings.coarse.ambiguous_percent / 100 * poses[i].score;
+    }
   }
   return out;
 }
@@ -95,7 +110,7 @@ Registration register_automatic(const CloudPtr& reference, const CloudPtr& movin
     coarse = register_coarse(reference, moving, T_start, settings.coarse, task);
   }
   const ProgressSpan span(task, 0.5, 1, nullptr);
-  Registration out = chosen(coarse, refined(reference, moving, coarse, settings.icp, task));
+  Registration out = chosen(coarse, refined(reference, moving, coarse, settings, task));
   for (const char* name :
        {"score", "overlap_moving", "overlap_reference", "likeness", "ambiguous", "second_score"})
     out.summary.set(coarse.summary.find_shared(name));

@@ -32,7 +32,8 @@ inline constexpr auto kCoarseRows = setting_rows(
     number_row<&CoarseSettings::min_likeness_percent>(
         "min_likeness_percent", 0, 100, "%", "",
         "Of the salient places that come near the other cloud, the share that must look alike "
-        "there; with less nothing is found (unless the clouds cover each other almost whole)"),
+        "there; with less nothing is found (unless the clouds cover each other almost whole, or "
+        "no other pose comes near: then in proportion less)"),
     number_row<&CoarseSettings::min_common_percent>(
         "min_common_percent", 0, 100, "%", "",
         "Share of the moving cloud's surface that must lie on the reference; with less "

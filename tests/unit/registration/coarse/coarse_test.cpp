@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
@@ -111,6 +112,17 @@ TEST_CASE("coarse__finds_the_pose_of_clouds_that_share_less_than_half") {
     check_found(r, start, {3, 0, 2});
     CHECK(value_of(r, "overlap_moving") < 0.5);
   }
+}
+
+TEST_CASE("coarse__asks_less_likeness_of_a_pose_that_stands_out") {
+  const Transform start = random_start(1);
+  const Case c = case_of(street_corner(), start, 1);
+  const Registration sure = registered(c);
+  REQUIRE(value_of(sure, "second_score") < 0.55 * value_of(sure, "score"));
+  // A little more than its places are alike: too much to ask of a pose among equals, not of this one.
+  CoarseSettings strict = kFewerCells;
+  strict.min_likeness_percent = std::min(100.0, 101 * value_of(sure, "likeness"));
+  check_found(registered(c, strict), start, {3, 0, 2});
 }
 
 TEST_CASE("coarse__calls_symmetric_scenes_ambiguous") {
