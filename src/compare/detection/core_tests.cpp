@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/parallel.h"
+#include "compare/detection/common_misfit.h"
 #include "compare/detection/false_discovery.h"
 
 namespace jalon {
@@ -255,22 +256,44 @@ bool is_of_one_scene(const SurfaceCores& reference, const SurfaceCores& compared
   return 2 * near > all;
 }
 
-// Step 2.
-double misalignment_m(const Tester& tester, const SurfaceCores& reference,
-                      const SurfaceCores& compared, const std::vector<CoreTest>& tests,
-                      Task& task) {
-  const size_t step = (tests.size() + kMisalignmentCores - 1) / kMisalignmentCores;
+// Cores of all parts, enough of them.
+size_t sample_step(size_t cores) {
+  return std::max<size_t>(1, (cores + kMisalignmentCores - 1) / kMisalignmentCores);
+}
+
+// Step 2: one motion of all of the scene.
+CommonMisfit motion_of_all(const SurfaceCores& reference, const SurfaceCores& compared,
+                           const std::vector<CoreTest>& tests, Task& task) {
+  std::vector<SurfaceOffset> sample;
+  for (size_t k = 0; k < tests.size(); k += sample_step(tests.size()))
+    if (tests[k].has_surface)
+      sample.push_back({compared[k].centroid, reference[tests[k].surface].normal,
+                        tests[k].distance_m, tests[k].sigma_m});
+  return common_misfit(sample, task);
+}
+
+// Step 2: each part of it by its own.
+double own_misalignment_m(const Tester& tester, const SurfaceCores& reference,
+                          const SurfaceCores& compared, const std::vector<CoreTest>& tests,
+                          Task& task) {
   std::vector<CoreTest> sample;
-  for (size_t k = 0; k < tests.size(); k += step)
+  for (size_t k = 0; k < tests.size(); k += sample_step(tests.size()))
     if (tests[k].has_surface) sample.push_back(tests[k]);
   double out = common_error_m(tester, sample, task);
-  if (out == 0 || !is_of_one_scene(reference, compared, tests)) return 0;  // 0: to their noise
+  if (out == 0) return 0;  // to their noise
   const std::vector<double> parts = part_offsets(reference, compared, tests);
   for (const auto& [share, sigmas] : kNormalQuantiles)
     if (!parts.empty())
       out = std::max(
           out, parts[static_cast<size_t>(share * static_cast<double>(parts.size()))] / sigmas);
   return out;
+}
+
+double root_mean_square(const std::vector<double>& moved_m, const std::vector<CoreTest>& tests) {
+  double sum = 0, n = 0;
+  for (size_t k = 0; k < tests.size(); ++k)
+    if (tests[k].has_surface) sum += moved_m[k] * moved_m[k], ++n;
+  return n > 0 ? std::sqrt(sum / n) : 0;
 }
 
 }  // namespace
@@ -287,9 +310,23 @@ CoreTests test_cores(const SurfaceCores& reference, const SurfaceCores& compared
     for (size_t k = begin; k < end; ++k) out.cores[k] = tester.measured(compared[k]);
   });
   // 2.
-  out.misalignment_m = misalignment_m(tester, reference, compared, out.cores, task);
-  for (CoreTest& test : out.cores) test.sigma_m = std::hypot(test.sigma_m, out.misalignment_m);
-  out.null_scale = std::max(1.0, null_scale(tester, out.cores));
+  const bool is_one_scene = is_of_one_scene(reference, compared, out.cores);
+  const CommonMisfit misfit =
+      is_one_scene ? motion_of_all(reference, compared, out.cores, task) : CommonMisfit{};
+  std::vector<double> moved_m(out.cores.size(), 0);  // by that motion
+  std::vector<CoreTest> rest = out.cores;
+  for (size_t k = 0; k < rest.size(); ++k) {
+    if (!rest[k].has_surface) continue;
+    moved_m[k] = misfit.offset_m(compared[k].centroid, reference[rest[k].surface].normal);
+    rest[k].distance_m -= moved_m[k];
+  }
+  const double own_m =
+      is_one_scene ? own_misalignment_m(tester, reference, compared, rest, task) : 0;
+  for (CoreTest& test : rest) test.sigma_m = std::hypot(test.sigma_m, own_m);
+  out.null_scale = std::max(1.0, null_scale(tester, rest));
+  for (size_t k = 0; k < rest.size(); ++k)
+    out.cores[k].sigma_m = std::hypot(rest[k].sigma_m, moved_m[k]);
+  out.misalignment_m = std::hypot(own_m, root_mean_square(moved_m, out.cores));
   // 3.
   std::vector<double> p_values;
   for (const CoreTest& test : out.cores)

@@ -43,11 +43,12 @@ struct CoreTests {
 };
 
 /// 1. The distance of each core from the reference's surface at its foot, with its sigma by noise, by the lever of the
-/// plane and by what does not average out (roughness, edges); 2. the variance between the epochs that most surfaces
-/// share, which is added to theirs as in a random-effects model (Paule & Mandel 1982, by quantiles of cores and of
-/// parts of surfaces in place of the mean square): a few millimetres between scans are a matter of their alignment, not
-/// of each surface's points; then what is left of the empirical null; 3. which are significant, at this rate of false
-/// discoveries; 4. cores without such a surface: explained by the spacing of the points, seen through, or
+/// plane and by what does not average out (roughness, edges); 2. how badly the epochs are registered: the motion that
+/// all of the scene shares, whose size at each core is added to its sigma, and beside it the variance that most
+/// surfaces share, which is added to theirs as in a random-effects model (Paule & Mandel 1982, by quantiles of cores
+/// and of parts of surfaces in place of the mean square): a few millimetres between scans are a matter of their
+/// alignment, not of each surface's points; then what is left of the empirical null; 3. which are significant, at this
+/// rate of false discoveries; 4. cores without such a surface: explained by the spacing of the points, seen through, or
 /// not to be told.
 /// nearest_m: distance of each compared point from the reference's nearest. sights: of the reference; null: unknown.
 CoreTests test_cores(const SurfaceCores& reference, const SurfaceCores& compared,

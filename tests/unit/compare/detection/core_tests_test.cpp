@@ -111,6 +111,26 @@ TEST_CASE("core_tests__walls_that_stations_of_other_misfits_saw_have_not_moved")
   }
 }
 
+// Most of what a coarse scan of posts and mullions has are planes across them, known to centimetres.
+TEST_CASE("core_tests__few_smooth_walls_tell_that_all_of_a_rough_scene_is_shifted") {
+  constexpr double kShift_m = 0.008, kRough_m = 0.06;
+  const auto scene = [&](uint64_t seed, double shift_m) {
+    std::vector<Vec3> points = walls(seed, 0);
+    RandomStream random(seed, 2);
+    const size_t rough = 4 * points.size();
+    for (size_t k = 0; k < rough; ++k)
+      points.push_back(
+          {20 * random.uniform(), 14 + kRough_m * random.normal(), 5 + 10 * random.uniform()});
+    for (Vec3& p : points) p.y += shift_m;
+    return points;
+  };
+  for (uint64_t seed = 81; seed <= 83; ++seed) {
+    const auto was = scene(2 * seed, 0), is = scene(2 * seed + 1, kShift_m);
+    CHECK(moved_cores(was, is) == 0);
+    CHECK(std::abs(tests_of(was, is).misalignment_m - kShift_m) < 0.001);
+  }
+}
+
 TEST_CASE("core_tests__scenes_that_have_nothing_in_common_are_not_misaligned") {
   std::vector<Vec3> elsewhere = walls(71, 0);
   for (Vec3& p : elsewhere) p.y += 4;
