@@ -4,6 +4,7 @@
 # All that "jalon compare" makes besides distances and changes, and a slide. Usage: cli_compare.sh JALON
 set -uo pipefail
 jalon=$(realpath "$1")
+here=$(realpath "$(dirname "$0")")
 . "$(dirname "$0")/cli_judges.sh"
 step="--set horizontal_step_rad=0.006 --set vertical_step_rad=0.006 --quiet"
 
@@ -39,6 +40,9 @@ judge "so are those of the reference" python3 -c '
 fields = lambda name: sorted(l for l in open(name + "/reference.ply", "rb").read().split(b"end_header")[0].split(b"\n") if l.startswith(b"property"))
 later, once = fields("later"), fields("once")
 assert later == once and any(b"face" in f for f in later) and any(b"evidence" in f for f in later), (later, once)'
+
+judge "LAS as text, which takes long to read" "$jalon" convert day1.las day1.xyz --quiet
+judge "a file that is cut, replaced or removed meanwhile is told, and nothing written" python3 "$here/changed_meanwhile.py" "$jalon" day1.xyz day3.las day1.las
 
 # A box of both scans, and one of their own.
 judge "compare reads a box of all scans" "$jalon" compare day1.las day3.las -o boxed --box=-100,-100,-10,30,100,50 --json --quiet

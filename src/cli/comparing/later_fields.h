@@ -69,7 +69,7 @@ inline Cloud read_whole(Console& console, const Input& input, const ReadScan& sc
   must(jalon_cloud_points(scan.cloud.get(), &a));
   must(jalon_cloud_points(out.get(), &b));
   if (a.count != b.count || std::memcmp(a.data, b.data, a.count * 3 * sizeof(double)) != 0)
-    throw Failure{JALON_ERROR_IO, input.path + " was changed while it was compared"};
+    throw Failure{JALON_ERROR_NOT_FOUND, input.path + " was changed while it was compared"};
   Fields points;
   must(jalon_comparison_points(found.comparison.get(), Out(points)));
   add_columns(out, points);
