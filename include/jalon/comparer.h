@@ -276,10 +276,11 @@ JALON_API JALON_CHECK jalon_status jalon_comparison_points(const jalon_compariso
  *     hausdorff          float64  m     the larger of both
  *     noise                 float64  m  "detection", as all to "stations": scatter about surfaces
  *     null_scale            float64  1  by which unchanged surfaces differ more than noise explains
- *     misalignment          float64  m  standard deviation by which most surfaces differ beside
- *                                       noise, which is in all levels of detection: stations or
- *                                       epochs registered no better (random effects; Paule &
- *                                       Mandel 1982, by the median)
+ *     misalignment          float64  m  by which most surfaces differ beside noise, root mean
+ *                                       square, which is in all levels of detection: epochs off
+ *                                       by one motion (least absolute deviations; Koenker &
+ *                                       Machado 1999) and stations registered no better (random
+ *                                       effects; Paule & Mandel 1982, by the median)
  *     limit_sigmas          float64  1  beyond which a surface has moved
  *     false_discovery_rate  float64  1  as asked for
  *     tests                 uint64   -  surfaces that were tested

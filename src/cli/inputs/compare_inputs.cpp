@@ -171,7 +171,10 @@ void warn_of_misalignment(const Console& console, const Table& summary) {
   if (!summary.has("misalignment")) return;
   const double misalignment = summary.number("misalignment", 0);
   constexpr double kLeastTold_m = 1e-4;  // less are the digits of the files
-  if (!(misalignment > std::max(kLeastTold_m, summary.number("noise", 0)))) return;
+  constexpr double kScanners_m =
+      0.002;  // noise of scanners: what is noise beyond is roughness, which hides no misfit
+  const double noise = std::min(kScanners_m, summary.number("noise", 0));
+  if (!(misalignment > std::max(kLeastTold_m, noise))) return;
   console.warn("most surfaces of both scans differ by " + fixed(1000 * misalignment, 1) +
                " mm (standard deviation) beside noise, as where stations or epochs are registered "
                "no better; smaller changes cannot be told from it: see jalon register");
