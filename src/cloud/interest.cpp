@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "base/setting_rows.h"
 #include "cloud/facade_plane.h"
 #include "cloud/operations.h"
@@ -37,17 +38,20 @@ std::vector<SlabPoint> points_in_slab(const Cloud& cloud, const FacadePlane& fac
     }
   });
   std::vector<SlabPoint> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  serial_for(task, parts.size(), 1,
+             [&](size_t k, size_t) { all.insert(all.end(), parts[k].begin(), parts[k].end()); });
   return all;
 }
 
 /// Step 3: the largest connected region of the slab's image, and the regions within the gap.
 std::vector<uint8_t> largest_entity(const Cloud& cloud, const std::vector<SlabPoint>& slab,
-                                    double pixel_m, double gap_m) {
+                                    double pixel_m, double gap_m, Task& task) {
   std::vector<uint8_t> mask(cloud.size(), 0);
   if (slab.empty()) return mask;
   std::vector<Vec2> flat(slab.size());
-  for (size_t i = 0; i < slab.size(); ++i) flat[i] = slab[i].position;
+  parallel_for(task, slab.size(), kInterestGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) flat[i] = slab[i].position;
+  });
   const auto reach = static_cast<uint32_t>(std::min(4096.0, std::round(gap_m / pixel_m)));
   const Raster raster = rasterise(flat, pixel_m);
   const Regions regions = label_regions(raster);
@@ -57,8 +61,10 @@ std::vector<uint8_t> largest_entity(const Cloud& cloud, const std::vector<SlabPo
   std::vector<uint8_t> wanted(regions.count() + 1, 0);
   for (size_t p = 0; p < raster.size(); ++p)
     if (near.pixels[p]) wanted[regions.labels[p]] = 1;
-  for (const SlabPoint& point : slab)
-    if (wanted[regions.labels[raster.pixel_of(point.position)]]) mask[point.index] = 1;
+  parallel_for(task, slab.size(), kInterestGrain, [&](size_t begin, size_t end) {
+    for (const SlabPoint& point : std::span(slab).subspan(begin, end - begin))
+      if (wanted[regions.labels[raster.pixel_of(point.position)]]) mask[point.index] = 1;
+  });
   return mask;
 }
 
@@ -134,7 +140,7 @@ std::vector<uint8_t> points_of_interest(const Cloud& cloud, const InterestSettin
     slab = points_in_slab(cloud, facade, settings.front_m, settings.back_m, task);
   }
   ProgressSpan span(task, 0.8, 1, "largest entity");
-  std::vector<uint8_t> mask = largest_entity(cloud, slab, settings.pixel_m, settings.gap_m);
+  std::vector<uint8_t> mask = largest_entity(cloud, slab, settings.pixel_m, settings.gap_m, task);
   if (settings.remove_ground) remove_ground(cloud, facade, tolerance_m, settings.seed, task, mask);
   return mask;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/parallel.h"
 #include "fieldtools/fast_marching.h"
 
 namespace jalon {
@@ -13,6 +14,7 @@ namespace jalon {
 namespace {
 
 constexpr uint16_t kFar = 0xffff;
+constexpr size_t kChamferCellsPerChunk = 1 << 16;
 
 /// Half of the 26 neighbours with their weights: those that a raster pass has seen before.
 struct Mask {
@@ -133,9 +135,11 @@ std::vector<float> chamfer_distances(const DistanceGrid& grid, std::span<const u
   ProgressSpan span(task, 0.5, 1);
   raster_pass(grid, -1, thirds, task);
   std::vector<float> out(thirds.size());
-  for (size_t i = 0; i < out.size(); ++i)
-    out[i] = thirds[i] == kFar ? std::numeric_limits<float>::infinity()
-                               : static_cast<float>(thirds[i] / 3.0 * grid.cell_m);
+  parallel_for(task, out.size(), kChamferCellsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      out[i] = thirds[i] == kFar ? std::numeric_limits<float>::infinity()
+                                 : static_cast<float>(thirds[i] / 3.0 * grid.cell_m);
+  });
   return out;
 }
 

@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "base/setting_rows.h"
 #include "fieldtools/chamfer.h"
 #include "fieldtools/field_values.h"
@@ -80,13 +81,18 @@ Occupied occupied_cells(const DistanceGrid& grid, const Cloud& reference, Task& 
     }
   });
   std::vector<float> nearest(grid.cells(), std::numeric_limits<float>::infinity());
-  for (const Entry& e : entries) nearest[e.cell] = std::min(nearest[e.cell], e.distance);
+  serial_for(task, entries.size(), kChamferMapGrain, [&](size_t begin, size_t end) {
+    for (const Entry& e : std::span(entries).subspan(begin, end - begin))
+      nearest[e.cell] = std::min(nearest[e.cell], e.distance);
+  });
   Occupied out;
-  for (uint64_t c = 0; c < nearest.size(); ++c)
-    if (std::isfinite(nearest[c])) {
-      out.cells.push_back(c);
-      out.starts.push_back(nearest[c]);
-    }
+  serial_for(task, nearest.size(), kChamferMapGrain, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c)
+      if (std::isfinite(nearest[c])) {
+        out.cells.push_back(c);
+        out.starts.push_back(nearest[c]);
+      }
+  });
   return out;
 }
 
@@ -183,15 +189,19 @@ Cloud distance_map_cloud(const Cloud& reference, const DistanceMapSettings& sett
   const DistanceMap map = distance_map(reference, bounds(reference, task), settings, task);
   const double limit_m = limit_of(settings);
   std::vector<uint64_t> cells;
-  for (uint64_t c = 0; c < map.distance_m.size(); ++c)
-    if (double{map.distance_m[c]} <= limit_m) cells.push_back(c);
+  serial_for(task, map.distance_m.size(), kChamferMapGrain, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c)
+      if (double{map.distance_m[c]} <= limit_m) cells.push_back(c);
+  });
   Buffer<double> xyz(3 * cells.size());
   std::vector<float> distances(cells.size());
-  for (size_t i = 0; i < cells.size(); ++i) {
-    const Vec3 p = map.grid.lowest + centre_offset(map.grid, cells[i]);
-    for (int c = 0; c < 3; ++c) xyz[3 * i + static_cast<size_t>(c)] = p[c];
-    distances[i] = map.distance_m[cells[i]];
-  }
+  parallel_for(task, cells.size(), kChamferMapGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 p = map.grid.lowest + centre_offset(map.grid, cells[i]);
+      for (int c = 0; c < 3; ++c) xyz[3 * i + static_cast<size_t>(c)] = p[c];
+      distances[i] = map.distance_m[cells[i]];
+    }
+  });
   Cloud out = make_cloud(std::move(xyz));
   out.crs = reference.crs;
   return with_field<float>(out, name, "m", "distance of the cell's centre from the cloud",

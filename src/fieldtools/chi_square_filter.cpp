@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "cloud/neighbourhoods.h"
 #include "fieldtools/chi_square.h"
 #include "fieldtools/field_values.h"
@@ -217,12 +218,14 @@ class SecondPass {
                  high = settings_.band_high * test_.tabulated();
     std::vector<uint32_t> band;
     std::vector<uint8_t> in_band(outcomes.size());
-    for (size_t i = 0; i < outcomes.size(); ++i) {
-      const Outcome& o = outcomes[i];
-      if (std::isnan(o.distance) || !(o.saturating >= low && o.saturating <= high)) continue;
-      in_band[i] = 1;
-      band.push_back(static_cast<uint32_t>(i));
-    }
+    serial_for(task, outcomes.size(), kChiSquareFilterGrain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const Outcome& o = outcomes[i];
+        if (std::isnan(o.distance) || !(o.saturating >= low && o.saturating <= high)) continue;
+        in_band[i] = 1;
+        band.push_back(static_cast<uint32_t>(i));
+      }
+    });
     const bool few =
         static_cast<double>(band.size()) < kShareForSingles * static_cast<double>(outcomes.size());
     if (settings_.radius_m > 0 || !few) {
@@ -248,7 +251,9 @@ class SecondPass {
                              Task& task) const {
     const auto order = valued_.tree->order();
     std::vector<uint32_t> position(order.size());
-    for (size_t i = 0; i < order.size(); ++i) position[order[i]] = static_cast<uint32_t>(i);
+    parallel_for(task, order.size(), kChiSquareFilterGrain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) position[order[i]] = static_cast<uint32_t>(i);
+    });
     constexpr size_t kBandGrain = 256;
     parallel_for(task, band.size(), kBandGrain, [&](size_t begin, size_t end) {
       ChiSquareFilterScratch scratch;
@@ -270,16 +275,18 @@ class SecondPass {
 };
 
 void hand_out(const ValuedPoints& valued, const std::vector<Outcome>& outcomes, bool one_sided,
-              ChangeFilter& out) {
-  for (size_t i = 0; i < outcomes.size(); ++i) {
-    const Outcome& o = outcomes[i];
-    const uint32_t point = valued.points[i];
-    if (std::isnan(o.distance)) continue;
-    out.distance[point] = o.distance;
-    out.changed[point] = o.distance > out.threshold && (o.above || !one_sided);
-    ++out.tested;
-    out.changed_count += out.changed[point];
-  }
+              ChangeFilter& out, Task& task) {
+  serial_for(task, outcomes.size(), kChiSquareFilterGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Outcome& o = outcomes[i];
+      const uint32_t point = valued.points[i];
+      if (std::isnan(o.distance)) continue;
+      out.distance[point] = o.distance;
+      out.changed[point] = o.distance > out.threshold && (o.above || !one_sided);
+      ++out.tested;
+      out.changed_count += out.changed[point];
+    }
+  });
 }
 
 }  // namespace
@@ -314,7 +321,7 @@ ChangeFilter filter_changes(const Cloud& cloud, std::span<const double> values, 
     out.second_pass = SecondPass(cloud, valued, settings, test).run(outcomes, task);
   }
   // 3. What lies above the cut has changed.
-  hand_out(valued, outcomes, settings.one_sided, out);
+  hand_out(valued, outcomes, settings.one_sided, out, task);
   return out;
 }
 

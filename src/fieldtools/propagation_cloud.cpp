@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "base/setting_rows.h"
 #include "base/table_columns.h"
 #include "fieldtools/field_values.h"
@@ -21,6 +22,7 @@ namespace {
 constexpr double kPropagationCloudCellSpacings =
     3;  // some nine points a cell: means of gradients, and cells that touch
 constexpr size_t kPropagationCloudGrain = 1 << 12;
+constexpr size_t kPropagationPointsPerLook = 1 << 16, kArrivalsPerLook = 1 << 12;
 
 /// The points that have both values.
 struct Nodes {
@@ -36,13 +38,14 @@ Nodes nodes_of(const Cloud& cloud, std::span<const double> deviations,
                std::span<const double> gradients, double cell_m, Task& task) {
   Nodes out;
   std::vector<double> both(deviations.begin(), deviations.end());
-  for (size_t i = 0; i < both.size(); ++i)
-    if (!std::isfinite(gradients[i])) both[i] = kNaN;
-  for (size_t i = 0; i < both.size(); ++i)
-    if (std::isfinite(both[i])) {
+  serial_for(task, both.size(), kPropagationPointsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (!std::isfinite(gradients[i])) both[i] = kNaN;
+      if (!std::isfinite(both[i])) continue;
       out.points.push_back(static_cast<uint32_t>(i));
       out.deviations.push_back(both[i]);
     }
+  });
   if (out.points.empty())
     fail(Status::kInsufficientData, "no point has both a deviation and a gradient");
   if (cell_m == 0)
@@ -50,8 +53,10 @@ Nodes nodes_of(const Cloud& cloud, std::span<const double> deviations,
                                 valued_points(cloud, both, task));
   const Buffer<double> all = relative_coordinates(cloud, task);
   out.xyz = Buffer<double>(3 * out.points.size());
-  for (size_t i = 0; i < out.points.size(); ++i)
-    std::copy_n(all.data() + 3 * size_t{out.points[i]}, 3, out.xyz.data() + 3 * i);
+  parallel_for(task, out.points.size(), kPropagationPointsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      std::copy_n(all.data() + 3 * size_t{out.points[i]}, 3, out.xyz.data() + 3 * i);
+  });
   out.cells = surface_cells({out.xyz.data(), out.xyz.size()}, cell_m, task);
   out.gradient.resize(out.cells.size());
   out.cell_of.resize(out.points.size());
@@ -78,8 +83,10 @@ struct Found {
 std::vector<Found> all_fronts(const Nodes& nodes, const PropagationSettings& settings,
                               double minimum_seed, Task& task) {
   std::vector<uint32_t> order;
-  for (uint32_t i = 0; i < nodes.points.size(); ++i)
-    if (nodes.deviations[i] >= minimum_seed) order.push_back(i);
+  serial_for(task, nodes.points.size(), kPropagationPointsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      if (nodes.deviations[i] >= minimum_seed) order.push_back(static_cast<uint32_t>(i));
+  });
   const auto higher = [&](uint32_t a, uint32_t b) {
     return nodes.deviations[a] != nodes.deviations[b] ? nodes.deviations[a] > nodes.deviations[b]
                                                       : a < b;
@@ -92,7 +99,9 @@ std::vector<Found> all_fronts(const Nodes& nodes, const PropagationSettings& set
   Propagation propagation(nodes.cells, nodes.gradient, settings);
   std::vector<Found> out;
   size_t taken = 0;  // cells
-  for (const uint32_t seed : order) {
+  for (size_t k = 0; k < order.size(); ++k) {
+    const uint32_t seed = order[k];
+    if (k % kPropagationPointsPerLook == 0) task.checkpoint(0);
     if (propagation.is_taken(nodes.cell_of[seed])) continue;
     ProgressSpan front(task, static_cast<double>(taken) / static_cast<double>(nodes.cells.size()),
                        1);
@@ -178,11 +187,14 @@ PropagationResult segment_by_propagation(const Cloud& cloud, std::span<const dou
     if (found[f].points < settings.min_points) continue;
     if (rows.size() < ranks[f]) rows.resize(ranks[f]);
     rows[ranks[f] - 1] = &found[f];
-    for (const Arrival& a : found[f].front.arrivals)
-      for (const uint32_t i : nodes.cells.points(a.cell)) {
-        out.labels[nodes.points[i]] = ranks[f];
-        out.arrival_m[nodes.points[i]] = a.time_m;
-      }
+    const auto& arrivals = found[f].front.arrivals;
+    serial_for(task, arrivals.size(), kArrivalsPerLook, [&](size_t begin, size_t end) {
+      for (const Arrival& a : std::span(arrivals).subspan(begin, end - begin))
+        for (const uint32_t i : nodes.cells.points(a.cell)) {
+          out.labels[nodes.points[i]] = ranks[f];
+          out.arrival_m[nodes.points[i]] = a.time_m;
+        }
+    });
   }
   out.regions = region_table(rows, nodes);
   return out;

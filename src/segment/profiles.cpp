@@ -100,7 +100,8 @@ Surface surface_of(const SegmentScene& scene, std::span<const ProfileLine> lines
   surface.plane = fit.plane;
   surface.sigma_m = fit.sigma;
   surface.pixel_m = step_m;
-  surface.area_m2 = occupied_area_m2(bounded_raster(flat_points(scene, surface, task), step_m, 0));
+  surface.area_m2 =
+      occupied_area_m2(bounded_raster(flat_points(scene, surface, task), step_m, 0, task));
   return surface;
 }
 

@@ -21,8 +21,8 @@ constexpr size_t kLeastOfLoop = 4;  // nodes
 
 class LineMaker {
  public:
-  LineMaker(std::span<const Vec2> points, const SectionSettings& settings)
-      : points_(points), settings_(settings) {}
+  LineMaker(std::span<const Vec2> points, const SectionSettings& settings, Task& task)
+      : points_(points), settings_(settings), task_(task) {}
 
   std::vector<SectionLine> run() {
     std::vector<SectionLine> lines;
@@ -30,6 +30,7 @@ class LineMaker {
     thin();
     const SectionPieces pieces_of(points_, nodes_, order_, cell_m_, settings_.tolerance_m);
     for (auto& chain : chain_nodes(nodes_, cell_m_, settings_.gap_m)) {
+      task_.checkpoint(0);
       leave_stragglers(chain);
       if (chain.size() < 2) continue;
       SectionLine line = line_of(pieces_of, std::move(chain));
@@ -45,6 +46,7 @@ class LineMaker {
   void thin() {
     cell_m_ = settings_.tolerance_m;
     for (;;) {
+      task_.checkpoint(0);
       nodes_ = thin_points(points_, cell_m_, order_);
       const bool filled = static_cast<double>(points_.size()) >=
                           kPointsPerCell * static_cast<double>(nodes_.size());
@@ -57,6 +59,7 @@ class LineMaker {
   // The few points that noise puts into the next cell go to the cell that has the others, or a chain would pass it by
   // and come back for it.
   void join_sparse_cells() {
+    task_.checkpoint(0);
     const std::vector<uint32_t> into = fullest_neighbours(nodes_, cell_m_);
     std::vector<uint32_t> root(nodes_.size());
     for (uint32_t i = 0; i < nodes_.size(); ++i) {
@@ -195,6 +198,7 @@ class LineMaker {
 
   std::span<const Vec2> points_;
   const SectionSettings& settings_;
+  Task& task_;
   double cell_m_ = 0;
   std::vector<ProfileNode> nodes_;
   std::vector<uint32_t> order_;
@@ -203,11 +207,13 @@ class LineMaker {
 }  // namespace
 
 std::vector<SectionLine> section_lines(std::span<const Vec2> points,
-                                       const SectionSettings& settings, double& cell_m) {
+                                       const SectionSettings& settings, double& cell_m,
+                                       Task& task) {
   std::vector<Vec2> sorted(points.begin(), points.end());
   std::sort(sorted.begin(), sorted.end(),
             [](const Vec2& a, const Vec2& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
-  LineMaker maker(sorted, settings);
+  task.checkpoint(0);
+  LineMaker maker(sorted, settings, task);
   std::vector<SectionLine> lines = maker.run();
   cell_m = maker.cell_m();
   return lines;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "cloud/sections/section_settings.h"
 #include "geometry/vec.h"
 
@@ -24,6 +25,6 @@ struct SectionLine {
 /// nearest up to gap_m; 3. chains simplified (Douglas & Peucker 1973); 4. each straight piece fitted by least squares
 /// to its points, corners where neighbours meet. The same bits for any order of the points. cell_m: of the cells taken.
 std::vector<SectionLine> section_lines(std::span<const Vec2> points,
-                                       const SectionSettings& settings, double& cell_m);
+                                       const SectionSettings& settings, double& cell_m, Task& task);
 
 }  // namespace jalon

@@ -105,8 +105,8 @@ Sections cut_sections(const Cloud& cloud, std::span<const Vec3> alignment,
     near.reserve(points[k].size());
     for (const uint32_t i : points[k]) near.push_back(planes[k].near(cloud.point(i)));
     const std::vector<Vec2> flat =
-        slid_points(std::move(near), settings.thickness_m, settings.tolerance_m);
-    section.lines = section_lines(flat, settings, section.cell_m);
+        slid_points(std::move(near), settings.thickness_m, settings.tolerance_m, task);
+    section.lines = section_lines(flat, settings, section.cell_m, task);
   });
   return out;
 }

@@ -7,12 +7,14 @@
 #include <map>
 #include <tuple>
 
+#include "base/serial.h"
 #include "geometry/plane.h"
 
 namespace jalon {
 
 namespace {
 
+constexpr size_t kSlidPerLook = 1 << 12;
 constexpr double kSlideCells = 2;     // thicknesses: so that a lean shows beside the noise
 constexpr uint64_t kSlideLeast = 12;  // points of a plane
 // Of the tolerance, which is four sigma of the points: what one surface leaves at most (rms).
@@ -35,14 +37,20 @@ struct LeaningPlane {
 
 class Slider {
  public:
-  Slider(std::span<const Vec3> points, double thickness_m, double tolerance_m)
+  Slider(std::span<const Vec3> points, double thickness_m, double tolerance_m, Task& task)
       : points_(points), cell_m_(kSlideCells * thickness_m), tolerance_m_(tolerance_m) {
-    for (const Vec3& p : points_) {
-      Moments& own =
-          sums_.try_emplace(cell_at(p), Moments{points_.front(), 0, {}, {}}).first->second;
-      own.add(p);
+    serial_for(task, points_.size(), kSlidPerLook, [&](size_t begin, size_t end) {
+      for (const Vec3& p : points_.subspan(begin, end - begin)) {
+        Moments& own =
+            sums_.try_emplace(cell_at(p), Moments{points_.front(), 0, {}, {}}).first->second;
+        own.add(p);
+      }
+    });
+    size_t done = 0;
+    for (const auto& [cell, own] : sums_) {
+      if (done++ % kSlidPerLook == 0) task.checkpoint(0);
+      add_plane(cell);
     }
-    for (const auto& [cell, own] : sums_) add_plane(cell);
   }
 
   // Along the surface whose lean is known best: those by corners have points of another in them.
@@ -101,15 +109,18 @@ class Slider {
 
 }  // namespace
 
-std::vector<Vec2> slid_points(std::vector<Vec3> points, double thickness_m, double tolerance_m) {
+std::vector<Vec2> slid_points(std::vector<Vec3> points, double thickness_m, double tolerance_m,
+                              Task& task) {
   std::vector<Vec2> out;
   if (points.empty()) return out;
   std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   });
-  const Slider slider(points, thickness_m, tolerance_m);
+  const Slider slider(points, thickness_m, tolerance_m, task);
   out.reserve(points.size());
-  for (const Vec3& p : points) out.push_back(slider.slid(p));
+  serial_for(task, points.size(), kSlidPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) out.push_back(slider.slid(points[i]));
+  });
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "geometry/vec.h"
 
 namespace jalon {
@@ -15,6 +16,7 @@ namespace jalon {
 /// squares), where they are one surface and its lean is no noise; 3. each point along that of those about it whose lean
 /// is known best. What lies on none stays above its foot, and so does what meets the plane at 20 degrees or less.
 /// tolerance_m: farthest from a surface. Sorted: the same for any order. O(n log cells).
-std::vector<Vec2> slid_points(std::vector<Vec3> points, double thickness_m, double tolerance_m);
+std::vector<Vec2> slid_points(std::vector<Vec3> points, double thickness_m, double tolerance_m,
+                              Task& task);
 
 }  // namespace jalon

@@ -15,6 +15,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kHeightGrain = 1024;
+constexpr uint32_t kManyInCell = 256;  // of a chunk of cells with less, no one waits for the end
 constexpr uint32_t kSide = 3, kParts = kSide * kSide;  // parts of a cell
 // Nearly half: what is seen of less of a cell in a shadow's border says little of the rest, which may lie deeper.
 constexpr double kFewestParts = 4;
@@ -210,7 +211,10 @@ GroundHeights ground_heights(const Cloud& cloud, const VolumeGrid& grid, uint32_
   const GroundMeasurer measurer(points, grid, min_points);
   GroundHeights out(grid.cells());
   parallel_for(task, grid.cells(), kHeightGrain, [&](size_t begin, size_t end) {
-    for (size_t cell = begin; cell < end; ++cell) measurer.measure(cell, out);
+    for (size_t cell = begin; cell < end; ++cell) {
+      if (points.count(cell) >= kManyInCell) task.checkpoint(0);  // a few may hold all points
+      measurer.measure(cell, out);
+    }
   });
   return out;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "compare/matching/match_starts.h"
 #include "geometry/adjustment.h"
 #include "geometry/rigid_motion.h"
@@ -24,7 +25,8 @@ constexpr double kEqual =
 // Of the tolerance: a step by less changes no pair.
 constexpr double kSmallStep = 0.01;
 constexpr int kRefinements = 4;
-constexpr size_t kLeastPairs = 12;  // two for each unknown
+constexpr size_t kPointsPerLook = 256;  // each is a search
+constexpr size_t kLeastPairs = 12;      // two for each unknown
 
 // Is the moved point on the surface? The pair is its plane there. flat: only away from edges, where planes are true.
 bool lies_on(const MatchSurface& surface, const Vec3& moved, double reach_m, PlanePair& pair,
@@ -111,11 +113,13 @@ void adjust_motion(const MatchSurface& before, const MatchSurface& after,
   std::vector<PlanePair> pairs;
   for (int k = 0; k < kRefinements; ++k) {
     pairs.clear();
-    for (const Vec3& p : before.points()) {
-      PlanePair pair{p, {}, {}};
-      if (lies_on(after, model.motion().point(p), setting.tolerance_m, pair, true))
-        pairs.push_back(pair);
-    }
+    serial_for(task, before.points().size(), kPointsPerLook, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        PlanePair pair{before.points()[i], {}, {}};
+        if (lies_on(after, model.motion().point(pair.from), setting.tolerance_m, pair, true))
+          pairs.push_back(pair);
+      }
+    });
     if (pairs.size() < kLeastPairs) return;
     MotionModel next = model;
     // Without a reach: the pairs are within it, and a sharp end would keep the steps from getting small.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr size_t kMostCells = size_t{1} << 25;  // 1.3 GB of two states' heights
 constexpr size_t kVolumeGridCellGrain = 4096;
+constexpr uint32_t kManyPoints = 256;  // of a chunk of cells with less, no one waits for the end
 constexpr size_t kMarkGrain = 1 << 15;
 // Cells a point, up to which a grid stays whole. A survey has a few points in most cells of its rectangle.
 constexpr size_t kFewCellsPerPoint = 4;
@@ -172,6 +173,7 @@ CellHeights cloud_heights(const Cloud& cloud, const VolumeGrid& grid, CellValue 
     std::vector<double> heights;
     for (size_t cell = begin; cell < end; ++cell) {
       const uint32_t count = points.count(cell);
+      if (count >= kManyPoints) task.checkpoint(0);  // a few cells may hold all points
       HeightSum sum;
       if (count > 0) sum = mean_of(points, cell);
       out.points[cell] = count;

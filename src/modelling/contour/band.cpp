@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/serial.h"
 #include "geometry/delaunay2.h"
 #include "modelling/plane/cell_rows.h"
 
@@ -17,6 +18,7 @@ namespace {
 constexpr double kLeastLocal = 0.7, kMostLocal = 2;
 // Two rows of points have a standard deviation of half a spacing across them.
 constexpr double kStringOfSpacing = 0.3;
+constexpr size_t kBandCellsPerLook = 1 << 13;
 
 // Spacing about a cell: the occupied ones of the 5 x 5 cells around it.
 float spacing_about(const CellRows& rows, size_t cell) {
@@ -59,13 +61,16 @@ struct CellMoments {
 // Cells whose points, with those of the cells around them, lie in a line: where another surface crosses the plane it
 // leaves a string of its points there, and a string bounds nothing; no more does a point far from all others.
 std::vector<uint8_t> strings_of(const CellRows& rows, std::span<const Vec2> points,
-                                std::span<const uint8_t> deep, double spacing_m) {
+                                std::span<const uint8_t> deep, double spacing_m, Task& task) {
   std::vector<CellMoments> moments(rows.keys.size());
-  for (size_t c = 0; c < rows.keys.size(); ++c)
-    for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k)
-      moments[c].add(points[rows.order[k]] - rows.corner);
+  serial_for(task, rows.keys.size(), kBandCellsPerLook, [&](size_t begin, size_t end) {
+    for (size_t c = begin; c < end; ++c)
+      for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k)
+        moments[c].add(points[rows.order[k]] - rows.corner);
+  });
   std::vector<uint8_t> out(rows.keys.size(), 0);
   for (size_t c = 0; c < rows.keys.size(); ++c) {
+    if (c % kBandCellsPerLook == 0) task.checkpoint(0);
     if (deep[c] != 0) continue;
     const uint64_t row = rows.keys[c] >> 32, column = rows.keys[c] & 0xffffffffu;
     CellMoments sum;
@@ -89,13 +94,15 @@ double squared(const Vec2& d) { return dot(d, d); }
 }  // namespace
 
 ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m,
-                         const std::function<bool(uint32_t)>& foreign) {
+                         const std::function<bool(uint32_t)>& foreign, Task& task) {
   const CellRows rows = sort_into_cells(points, cell_m);
+  task.checkpoint(0);
   const std::vector<uint8_t> occupied(rows.keys.size(), 1);
   const auto inner = eroded(rows, occupied), deep = eroded(rows, inner);
-  const auto strings = strings_of(rows, points, deep, spacing_m);
+  const auto strings = strings_of(rows, points, deep, spacing_m, task);
   ContourBand band;
   for (size_t c = 0; c < rows.keys.size(); ++c) {
+    if (c % kBandCellsPerLook == 0) task.checkpoint(0);
     if (deep[c] != 0 || strings[c] != 0) continue;
     const float spacing = spacing_about(rows, c);
     for (uint32_t k = rows.first[c]; k < rows.first[c + 1]; ++k) {

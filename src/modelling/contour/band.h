@@ -26,7 +26,7 @@ struct ContourBand {
 /// other, by cell, in one by index; foreign was asked of these and of no point deep inside. O(n log
 /// n).
 ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m,
-                         const std::function<bool(uint32_t)>& foreign);
+                         const std::function<bool(uint32_t)>& foreign, Task& task);
 
 /// Delaunay triangles of the band, anticlockwise. Those among inner cells span the points left out:
 /// the functions below keep them whatever their size.

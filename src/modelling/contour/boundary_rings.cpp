@@ -6,11 +6,14 @@
 #include <numeric>
 #include <utility>
 
+#include "base/serial.h"
+
 namespace jalon {
 
 namespace {
 
 constexpr uint32_t kNone = 0xffffffffu;
+constexpr size_t kHalfEdgesPerLook = 1 << 16;
 
 // Half-edge h = 3 t + k runs from corner k of triangle t to corner k + 1.
 uint32_t next_in_triangle(uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
@@ -23,21 +26,25 @@ struct HalfEdges {
 };
 
 // A bucket for each point: the half-edges of which it is the lesser end, by their other end; a few each.
-HalfEdges pair_half_edges(std::span<const Triangle2> triangles, size_t points) {
+HalfEdges pair_half_edges(std::span<const Triangle2> triangles, size_t points, Task& task) {
   HalfEdges edges{triangles, std::vector<uint32_t>(3 * triangles.size(), kNone)};
   const auto ends_of = [&](uint32_t h) {
     return std::minmax({edges.from(h), edges.from(next_in_triangle(h))});
   };
   std::vector<uint32_t> bucket_end(points + 1, 0);  // their beginnings until they are filled
-  for (uint32_t h = 0; h < edges.twin.size(); ++h) ++bucket_end[ends_of(h).first + 1];
+  serial_for(task, edges.twin.size(), kHalfEdgesPerLook, [&](size_t begin, size_t end) {
+    for (size_t h = begin; h < end; ++h) ++bucket_end[ends_of(static_cast<uint32_t>(h)).first + 1];
+  });
   std::partial_sum(bucket_end.begin(), bucket_end.end(), bucket_end.begin());
   std::vector<std::pair<uint32_t, uint32_t>> keyed(edges.twin.size());
   for (uint32_t h = 0; h < keyed.size(); ++h) {
+    if (h % kHalfEdgesPerLook == 0) task.checkpoint(0);
     const auto [low, high] = ends_of(h);
     keyed[bucket_end[low]++] = {high, h};
   }
   size_t begin = 0;
   for (size_t p = 0; p < points; begin = bucket_end[p++]) {
+    if (p % kHalfEdgesPerLook == 0) task.checkpoint(0);
     std::sort(keyed.data() + begin, keyed.data() + bucket_end[p]);
     for (size_t i = begin + 1; i < bucket_end[p]; ++i)
       if (keyed[i].first == keyed[i - 1].first) {
@@ -101,10 +108,11 @@ void split_at_repeats(std::span<const uint32_t> walk, std::vector<uint32_t>& pos
 }  // namespace
 
 std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles,
-                                          std::span<const Vec2> points) {
-  const HalfEdges edges = pair_half_edges(triangles, points.size());
+                                          std::span<const Vec2> points, Task& task) {
+  const HalfEdges edges = pair_half_edges(triangles, points.size(), task);
   std::vector<uint32_t> piece_of;
   std::vector<BoundaryPiece> pieces(label_pieces(edges, piece_of));
+  task.checkpoint(0);
   for (size_t t = 0; t < triangles.size(); ++t) {
     const auto& [a, b, c] = triangles[t];
     pieces[piece_of[t]].area += 0.5 * cross(points[b] - points[a], points[c] - points[a]);
@@ -112,6 +120,7 @@ std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles,
   std::vector<uint8_t> used(edges.twin.size(), 0);
   std::vector<uint32_t> walk, position(points.size(), kNone);
   for (uint32_t start = 0; start < used.size(); ++start) {
+    if (start % kHalfEdgesPerLook == 0) task.checkpoint(0);
     if (edges.twin[start] != kNone || used[start] != 0) continue;
     walk.clear();
     for (uint32_t h = start; used[h] == 0; h = next_on_border(edges, h)) {

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "geometry/vec.h"
 
 namespace jalon {
@@ -24,6 +25,6 @@ struct BoundaryPiece {
 /// of their first triangle, their areas above 0; every edge with one triangle stands in one ring.
 /// O(t log t).
 std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles,
-                                          std::span<const Vec2> points);
+                                          std::span<const Vec2> points, Task& task);
 
 }  // namespace jalon

@@ -24,7 +24,7 @@ double widest_gap(std::span<const Vec2> points, double spacing_m, const ContourS
   if (setting.max_edge_m > 0) return setting.max_edge_m;
   if (setting.mode == ContourMode::kAlpha)
     return 2 * setting.alpha_factor * spacing_m;  // a circle's diameter
-  const ContourBand band = contour_band(points, kMostSpacings * spacing_m / 2, spacing_m, {});
+  const ContourBand band = contour_band(points, kMostSpacings * spacing_m / 2, spacing_m, {}, task);
   return long_edge_threshold(edge_lengths(band.points, all_triangles(band, task)), spacing_m);
 }
 
@@ -104,7 +104,8 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
       if (task.cancelled()) fail(Status::kCancelled, "cancelled");
       return foreign(point, out.spacing_m);
     };
-  const ContourBand band = contour_band(points, out.max_edge_m / 2, out.spacing_m, is_foreign);
+  const ContourBand band =
+      contour_band(points, out.max_edge_m / 2, out.spacing_m, is_foreign, task);
   if (band.points.empty()) return out;
   task.checkpoint(0);
   // 3. Triangles that span no gap.
@@ -115,7 +116,7 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
           : short_triangles(band, out.max_edge_m, task);
   task.checkpoint(0);
   // 4. Their borders as rings, piece by piece.  5. Outline and openings.
-  for (const auto& rings : boundary_rings(triangles, band.points))
+  for (const auto& rings : boundary_rings(triangles, band.points, task))
     if (rings.area >= setting.min_area_m2)
       out.pieces.push_back(make_piece(rings, band.points, setting, out.spacing_m));
   std::erase_if(out.pieces, [](const ContourPiece& piece) { return piece.outline.size() < 3; });

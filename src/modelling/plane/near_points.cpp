@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/serial.h"
 #include "spatial/octree/morton.h"
 
 namespace jalon {
@@ -13,6 +14,8 @@ namespace {
 
 // Octree cells of about the reach: larger ones bring points that are of no use, smaller ones more look-ups.
 constexpr double kCellsPerReach = 0.75;
+constexpr size_t kCellsPerLook = 256, kCornersPerLook = 64;
+constexpr size_t kCodesBeforeSort = 1 << 20, kCodesPerLook = 1 << 17;
 
 int level_for(const Cube& cube, double edge_m) {
   int level = 0;
@@ -43,27 +46,41 @@ void add_cells(const Cube& cube, int level, const PlaneFrame& frame, const Vec2&
       for (uint32_t z = low[2]; z <= high[2]; ++z) codes.push_back(morton_code(x, y, z));
 }
 
+// Ascending, each once; there may be tens of millions, so that the sort is one of runs, merged two by two.
+void leave_one_of_each(std::vector<uint64_t>& codes, Task& task) {
+  const auto at = [&](size_t i) {
+    return codes.begin() + static_cast<ptrdiff_t>(std::min(i, codes.size()));
+  };
+  serial_for(task, codes.size(), kCodesPerLook,
+             [&](size_t begin, size_t end) { std::sort(at(begin), at(end)); });
+  for (size_t run = kCodesPerLook; run < codes.size(); run *= 2)
+    serial_for(task, codes.size(), 2 * run, [&](size_t begin, size_t end) {
+      std::inplace_merge(at(begin), at(begin + run), at(end));
+    });
+  codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+}
+
 // Cells along the rings, ascending, each once.
 std::vector<uint64_t> cells_along(const Octree& tree, int level, const PlaneFrame& frame,
                                   std::span<const std::vector<Vec2>> rings,
-                                  const NearSetting& setting) {
+                                  const NearSetting& setting, Task& task) {
   const double edge = tree.cube().edge * std::ldexp(1.0, -level);
   std::vector<uint64_t> codes;
+  size_t most = kCodesBeforeSort;  // twice what is left of them, or each corner would sort them all
   for (const auto& ring : rings)
     for (size_t i = 0; i < ring.size(); ++i) {
+      if (i % kCornersPerLook == 0) task.checkpoint(0);
       const Vec2 a = ring[i], step = ring[(i + 1) % ring.size()] - a;
       const double pieces = std::max(1.0, std::ceil(norm(step) / edge));
       const double half = norm(step) / pieces / 2;
       for (double k = 0; k < pieces; ++k)
         add_cells(tree.cube(), level, frame, a + step * ((k + 0.5) / pieces),
                   setting.reach_m + half, setting.depth_m, codes);
-      if (codes.size() > (size_t{1} << 20)) {
-        std::sort(codes.begin(), codes.end());
-        codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
-      }
+      if (codes.size() <= most) continue;
+      leave_one_of_each(codes, task);
+      most = std::max(most, 2 * codes.size());
     }
-  std::sort(codes.begin(), codes.end());
-  codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
+  leave_one_of_each(codes, task);
   return codes;
 }
 
@@ -71,13 +88,14 @@ std::vector<uint64_t> cells_along(const Octree& tree, int level, const PlaneFram
 
 NearPoints points_near(const Segmentation& segmentation, const Octree& tree,
                        const PlaneFrame& frame, std::span<const std::vector<Vec2>> rings,
-                       std::span<const uint8_t> planes_parallel, const NearSetting& setting) {
+                       std::span<const uint8_t> planes_parallel, const NearSetting& setting,
+                       Task& task) {
   const Cloud& cloud = *segmentation.cloud;
   const auto labels = segmentation.labels->values<uint32_t>();
   const auto order = tree.order();
   const int level = level_for(tree.cube(), setting.reach_m / kCellsPerReach);
   NearPoints out;
-  for (const uint64_t code : cells_along(tree, level, frame, rings, setting)) {
+  const auto take = [&](uint64_t code) {
     const Octree::Cell cell = tree.cell(level, code);
     for (size_t k = cell.first; k < cell.first + cell.count; ++k) {
       const uint32_t i = order[k];
@@ -89,7 +107,12 @@ NearPoints points_near(const Segmentation& segmentation, const Octree& tree,
       const bool is_other = labels[i] != 0 && planes_parallel[labels[i] - 1] != 0;
       out.on_plane.push_back(std::fabs(height) <= setting.window_m && !is_other);
     }
-  }
+  };
+  const std::vector<uint64_t> codes = cells_along(tree, level, frame, rings, setting, task);
+  serial_for(task, codes.size(), kCellsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) take(codes[i]);
+  });
+  task.checkpoint(0);
   out.sort(setting.reach_m);
   return out;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "modelling/plane/cell_rows.h"
 #include "modelling/plane/plane_frame.h"
 #include "segment/segmentation.h"
@@ -34,6 +35,7 @@ struct NearPoints : PointRows {
 /// that boxes can be looked up. Some points farther than reach_m and depth_m may be among them.
 NearPoints points_near(const Segmentation& segmentation, const Octree& tree,
                        const PlaneFrame& frame, std::span<const std::vector<Vec2>> rings,
-                       std::span<const uint8_t> planes_parallel, const NearSetting& setting);
+                       std::span<const uint8_t> planes_parallel, const NearSetting& setting,
+                       Task& task);
 
 }  // namespace jalon

@@ -145,7 +145,7 @@ class Grower {
     surface.pixel_m = connectivity_pixel(
         settings, region.members.size(),
         [&](size_t i) { return scene_.spacing[points_.position(region.members[i])]; }, task_);
-    surface.area_m2 = occupied_area_m2(bounded_raster(uv, surface.pixel_m, 0));
+    surface.area_m2 = occupied_area_m2(bounded_raster(uv, surface.pixel_m, 0, task_));
     return surface.area_m2 >= kPieceShare * settings.min_area_m2;
   }
 

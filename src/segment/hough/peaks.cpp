@@ -15,6 +15,7 @@ constexpr int kMostRounds = 8;
 constexpr double kNormalReach_rad = 0.175;  // 10 degrees: what noise turns the normal of a cell by
 constexpr double kLeastVotes = 6;           // twice what any plane has
 constexpr double kTolerancesPerRho = 2;     // of distance_step_m = 0: a plane's whole thickness
+constexpr size_t kVotersPerLook = 64;       // each may have voted for all directions
 constexpr double kPoolBelow = 0.5;          // share of free points at which the pool is made anew
 
 class Hough {
@@ -112,6 +113,7 @@ class Hough {
     size_t kept = 0;
     for (size_t i = 0; i < voters_.size(); ++i) {
       const bool gone = found ? scene_.owner[positions_[i]] != 0 || i == seed : for_it[i] != 0;
+      if (i % kVotersPerLook == 0) task_.checkpoint(0);
       if (gone) {
         votes.take_back(voters_[i], kNormalReach_rad);
         continue;

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "base/text_number.h"
 #include "geometry/polygon2.h"
 #include "segment/surface/connectivity.h"
@@ -40,9 +41,11 @@ std::vector<uint32_t> free_points(const PickScene& scene, Task& task, F&& takes)
   return out;
 }
 
-std::vector<Vec3> points_of(const PickScene& scene, std::span<const uint32_t> members) {
+std::vector<Vec3> points_of(const PickScene& scene, std::span<const uint32_t> members, Task& task) {
   std::vector<Vec3> out(members.size());
-  for (size_t i = 0; i < out.size(); ++i) out[i] = scene.local(members[i]);
+  parallel_for(task, out.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) out[i] = scene.local(members[i]);
+  });
   return out;
 }
 
@@ -64,63 +67,77 @@ double pixel_of(const PickScene& scene, Task& task) {
 }
 
 std::vector<Vec2> flattened(const Segment& segment, std::span<const Vec3> points,
-                            std::span<const Vec3> also, std::vector<Vec2>& also_flat) {
-  const SurfaceMap map = SurfaceMap::of(segment, points);
+                            std::span<const Vec3> also, std::vector<Vec2>& also_flat, Task& task) {
+  const SurfaceMap map = SurfaceMap::of(segment, points, task);
   std::vector<Vec2> uv(points.size());
-  for (size_t i = 0; i < uv.size(); ++i) uv[i] = map(points[i]);
+  parallel_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) uv[i] = map(points[i]);
+  });
   for (const Vec3& p : also) also_flat.push_back(map(p));
   return uv;
 }
 
+// The members whose places `stays` keeps, in their order.
+template <class F>
+void keep_members(std::vector<uint32_t>& members, Task& task, F&& stays) {
+  size_t kept = 0;
+  serial_for(task, members.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      if (stays(i)) members[kept++] = members[i];
+  });
+  members.resize(kept);
+}
+
 // Keeps the members connected, over gaps of at most gap_m, with the place of a pick.
 void keep_connected(const PickScene& scene, const Segment& segment, double pixel_m,
-                    std::vector<uint32_t>& members) {
+                    std::vector<uint32_t>& members, Task& task) {
   if (members.empty()) return;
   std::vector<Vec2> seeds;
-  const std::vector<Vec2> uv = flattened(segment, points_of(scene, members), scene.picks, seeds);
+  const std::vector<Vec2> uv =
+      flattened(segment, points_of(scene, members, task), scene.picks, seeds, task);
   const double gap = scene.setting.gap_m;
   const auto margin =
       static_cast<uint32_t>(std::min<double>(kMaxGapPixels, std::floor(gap / (2 * pixel_m))));
-  const Raster raster = bounded_raster(uv, pixel_m, margin + 1);
+  const Raster raster = bounded_raster(uv, pixel_m, margin + 1, task);
   const Regions regions = label_regions(margin > 0 ? dilated(raster, margin) : raster);
   std::vector<uint8_t> wanted(regions.count() + 1, 0);
   for (const Vec2& seed :
        seeds) {  // the region nearest to the pick: noise may put it into an empty pixel
     double nearest = INFINITY;
     uint32_t label = 0;
-    for (const Vec2& p : uv)
-      if (const double d = norm(p - seed); d < nearest) {
-        nearest = d;
-        label = regions.labels[raster.pixel_of(p)];
-      }
+    serial_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i)
+        if (const double d = norm(uv[i] - seed); d < nearest) {
+          nearest = d;
+          label = regions.labels[raster.pixel_of(uv[i])];
+        }
+    });
     if (nearest <= gap + 2 * pixel_m) wanted[label] = 1;
   }
   wanted[0] = 0;
-  size_t kept = 0;
-  for (size_t i = 0; i < uv.size(); ++i)
-    if (wanted[regions.labels[raster.pixel_of(uv[i])]] != 0) members[kept++] = members[i];
-  members.resize(kept);
+  keep_members(members, task,
+               [&](size_t i) { return wanted[regions.labels[raster.pixel_of(uv[i])]] != 0; });
 }
 
 // Minimal-surface filter: pieces below the smallest area that means something are left to the remaining points.
 void drop_small_pieces(const PickScene& scene, const Segment& segment, double pixel_m,
-                       std::vector<uint32_t>& members) {
+                       std::vector<uint32_t>& members, Task& task) {
   if (members.empty()) return;
   std::vector<Vec2> unused;
-  const std::vector<Vec2> uv = flattened(segment, points_of(scene, members), {}, unused);
-  const Raster raster = bounded_raster(uv, pixel_m, 0);
+  const std::vector<Vec2> uv =
+      flattened(segment, points_of(scene, members, task), {}, unused, task);
+  const Raster raster = bounded_raster(uv, pixel_m, 0, task);
   const Regions regions = label_regions(raster);
   const double least = scene.setting.min_area_m2 / (raster.pixel_m * raster.pixel_m);
-  size_t kept = 0;
-  for (size_t i = 0; i < uv.size(); ++i)
-    if (static_cast<double>(regions.pixel_counts[regions.labels[raster.pixel_of(uv[i])]]) >= least)
-      members[kept++] = members[i];
-  members.resize(kept);
+  keep_members(members, task, [&](size_t i) {
+    return static_cast<double>(regions.pixel_counts[regions.labels[raster.pixel_of(uv[i])]]) >=
+           least;
+  });
 }
 
 bool refit(const PickScene& scene, std::span<const uint32_t> members, const Vec3* direction,
            Task& task, Segment& segment) {
-  const std::vector<Vec3> points = points_of(scene, members);
+  const std::vector<Vec3> points = points_of(scene, members, task);
   const PrimitiveSetting& setting = scene.setting.primitive;
   if (segment.type == PrimitiveType::kPlane) return fit_plane(points, segment.fit);
   if (segment.type == PrimitiveType::kSphere)
@@ -159,7 +176,7 @@ Picked grow(const PickScene& scene, Segment start, const Vec3* direction, bool c
     auto members = free_points(scene, task, [&](const Vec3& p) {
       return std::fabs(out.segment.distance(p)) <= tolerance && reach.holds(p) && bounds(p);
     });
-    if (connected) keep_connected(scene, out.segment, pixel, members);
+    if (connected) keep_connected(scene, out.segment, pixel, members, task);
     Segment next = out.segment;
     if (!refit(scene, members, direction, task, next)) break;
     const bool settled = members == out.members;
@@ -169,31 +186,35 @@ Picked grow(const PickScene& scene, Segment start, const Vec3* direction, bool c
     if (settled) break;
     ++round;
   }
-  if (!out.members.empty()) drop_small_pieces(scene, out.segment, pixel, out.members);
+  if (!out.members.empty()) drop_small_pieces(scene, out.segment, pixel, out.members, task);
   if (out.members.size() < scene.setting.min_points ||
       !refit(scene, out.members, direction, task, out.segment))
     fail(Status::kInsufficientData,
          "the picks gather %zu free points within %s m of their surface in pieces of %s m2 or more",
          out.members.size(), text_of(tolerance).c_str(),
          text_of(scene.setting.min_area_m2).c_str());
-  if (!out.segment.is_plane()) describe_curved(points_of(scene, out.members), pixel, out.segment);
+  if (!out.segment.is_plane())
+    describe_curved(points_of(scene, out.members, task), pixel, out.segment, task);
   return out;
 }
 
 // A plane's extents and area from its points.
-void describe_plane(const PickScene& scene, double pixel_m, Picked& picked) {
+void describe_plane(const PickScene& scene, double pixel_m, Picked& picked, Task& task) {
   const PlaneFit& fit = picked.segment.fit;
-  std::vector<Vec2> uv;
+  std::vector<Vec2> uv(picked.members.size());
   Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  for (const Vec3& p : points_of(scene, picked.members)) {
-    const Vec2 q{dot(p - fit.centroid, fit.axis_u), dot(p - fit.centroid, fit.axis_v)};
-    low = {std::min(low.u, q.u), std::min(low.v, q.v)};
-    high = {std::max(high.u, q.u), std::max(high.v, q.v)};
-    uv.push_back(q);
-  }
+  serial_for(task, uv.size(), kPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 d = scene.local(picked.members[i]) - fit.centroid;
+      const Vec2 q{dot(d, fit.axis_u), dot(d, fit.axis_v)};
+      low = {std::min(low.u, q.u), std::min(low.v, q.v)};
+      high = {std::max(high.u, q.u), std::max(high.v, q.v)};
+      uv[i] = q;
+    }
+  });
   picked.segment.length_u_m = high.u - low.u;
   picked.segment.length_v_m = high.v - low.v;
-  const Raster raster = bounded_raster(uv, pixel_m, 0);
+  const Raster raster = bounded_raster(uv, pixel_m, 0, task);
   const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
   picked.segment.area_m2 = static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
 }
@@ -289,7 +310,7 @@ Picked pick_plane(const PickScene& scene, Task& task) {
     };
     out = grow(scene, start, nullptr, false, {}, inside, task);
   }
-  describe_plane(scene, pixel_of(scene, task), out);
+  describe_plane(scene, pixel_of(scene, task), out, task);
   return out;
 }
 

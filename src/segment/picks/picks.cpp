@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "cloud/operations.h"
@@ -18,6 +19,7 @@ namespace jalon {
 
 namespace {
 
+constexpr size_t kPickedPointsPerChunk = 1 << 15;
 constexpr double kMostlyHorizontal = 0.985;  // |nz| within 10 degrees of the vertical
 
 // Toward the station that saw most of the points; without stations upward, or toward the middle of the cloud.
@@ -54,17 +56,19 @@ std::shared_ptr<Column> copy_of(const Column& column) {
 // The points' columns of before, with the new segment's points filled in; their distances come from the segment as it
 // is relative to the origin, so that large coordinates lose nothing.
 void add_members(const Segmentation& before, const Vec3& origin, const Picked& picked,
-                 Segmentation& out) {
+                 Segmentation& out, Task& task) {
   auto labels = copy_of<uint32_t>(*before.labels);
   auto residuals = copy_of<float>(*before.residuals);
   auto orientations = copy_of<uint8_t>(*before.orientations);
   const Segment& segment = out.segments.back();
-  for (const uint32_t i : picked.members) {
-    labels->values<uint32_t>()[i] = segment.label;
-    residuals->values<float>()[i] =
-        static_cast<float>(picked.segment.distance(out.cloud->point(i) - origin));
-    orientations->values<uint8_t>()[i] = static_cast<uint8_t>(segment.orientation);
-  }
+  parallel_for(task, picked.members.size(), kPickedPointsPerChunk, [&](size_t begin, size_t end) {
+    for (const uint32_t i : std::span(picked.members).subspan(begin, end - begin)) {
+      labels->values<uint32_t>()[i] = segment.label;
+      residuals->values<float>()[i] =
+          static_cast<float>(picked.segment.distance(out.cloud->point(i) - origin));
+      orientations->values<uint8_t>()[i] = static_cast<uint8_t>(segment.orientation);
+    }
+  });
   out.labels = labels;
   out.residuals = residuals;
   out.orientations = orientations;
@@ -147,14 +151,16 @@ Segmentation with_pick(const Segmentation& before, PrimitiveType type, std::span
   out.segments.push_back(picked.segment);
   shift_origin(out.segments.back(), origin);
   orient(before, settings, out);
-  add_members(before, origin, picked, out);
+  add_members(before, origin, picked, out, task);
   if (main_facade(out.segments) != main_facade(before.segments)) {
     auto orientations = copy_of<uint8_t>(*out.orientations);
     const auto labels = out.labels->values<uint32_t>();
     const auto values = orientations->values<uint8_t>();
-    for (size_t i = 0; i < labels.size(); ++i)
-      values[i] = labels[i] == 0 ? uint8_t{0}
-                                 : static_cast<uint8_t>(out.segments[labels[i] - 1].orientation);
+    parallel_for(task, labels.size(), kPickedPointsPerChunk, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i)
+        values[i] = labels[i] == 0 ? uint8_t{0}
+                                   : static_cast<uint8_t>(out.segments[labels[i] - 1].orientation);
+    });
     out.orientations = orientations;
   }
   return out;

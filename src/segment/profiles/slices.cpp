@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "spatial/polylines.h"
 
 namespace jalon {
@@ -77,14 +78,17 @@ SlicedPoints points_of_slices(const SegmentScene& scene, const SliceNumbers& num
   });
   SlicedPoints sliced;
   sliced.first.assign(numbers.count + 1u, 0);
-  for (const auto& part : found)
-    for (const uint32_t position : part) ++sliced.first[numbers.of(scene.local(position)) + 1];
+  serial_for(task, found.size(), 1, [&](size_t part, size_t) {
+    for (const uint32_t position : found[part])
+      ++sliced.first[numbers.of(scene.local(position)) + 1];
+  });
   for (size_t k = 0; k < numbers.count; ++k) sliced.first[k + 1] += sliced.first[k];
   sliced.positions.resize(sliced.first.back());
   std::vector<uint32_t> next(sliced.first.begin(), sliced.first.end() - 1);
-  for (const auto& part : found)
-    for (const uint32_t position : part)
+  serial_for(task, found.size(), 1, [&](size_t part, size_t) {
+    for (const uint32_t position : found[part])
       sliced.positions[next[numbers.of(scene.local(position))]++] = position;
+  });
   return sliced;
 }
 

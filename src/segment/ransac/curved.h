@@ -32,9 +32,9 @@ struct Curved {
   Sphere sphere() const { return {centre, radius}; }
   Cylinder cylinder() const { return {centre, axis, radius}; }
   /// Points near it to metres on a flat map.
-  SurfaceMap map(std::span<const Vec3> points) const {
-    return is_sphere() ? SurfaceMap::of_sphere(sphere(), points)
-                       : SurfaceMap::of_cylinder(cylinder(), points);
+  SurfaceMap map(std::span<const Vec3> points, Task& task) const {
+    return is_sphere() ? SurfaceMap::of_sphere(sphere(), points, task)
+                       : SurfaceMap::of_cylinder(cylinder(), points, task);
   }
 };
 

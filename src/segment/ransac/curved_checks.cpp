@@ -21,8 +21,8 @@ constexpr double kMostBeside =
     0.5;  // points beside the surface against those on it; clutter has as many
 
 // Angle over which the normals of the surface's points spread.
-double turn_rad(const Curved& curved, std::span<const Vec3> points) {
-  const SurfaceMap map = curved.map(points);
+double turn_rad(const Curved& curved, std::span<const Vec3> points, Task& task) {
+  const SurfaceMap map = curved.map(points, task);
   double low = INFINITY, high = -INFINITY, farthest = 0;
   for (const Vec3& p : points) {
     const Vec2 q = map(p);
@@ -44,8 +44,8 @@ double squares_about_plane(const Moments& moments) {
 
 // Sums of the points by their place along the arc, and the sum of their squared distances from the surface.
 std::array<Moments, kArcs> moments_of_arcs(const Surface& surface, std::span<const Vec3> points,
-                                           double& squares) {
-  const SurfaceMap map = surface.curved.map(points);
+                                           double& squares, Task& task) {
+  const SurfaceMap map = surface.curved.map(points, task);
   std::vector<double> u(points.size());
   std::transform(points.begin(), points.end(), u.begin(), [&](const Vec3& p) { return map(p).u; });
   const auto [low, high] = std::minmax_element(u.begin(), u.end());
@@ -61,17 +61,18 @@ std::array<Moments, kArcs> moments_of_arcs(const Surface& surface, std::span<con
 
 }  // namespace
 
-bool bends(const SurfaceSettings& settings, const Surface& surface, std::span<const Vec3> points) {
-  if (turn_rad(surface.curved, points) < 2 * settings.normal_tolerance_rad) return false;
+bool bends(const SurfaceSettings& settings, const Surface& surface, std::span<const Vec3> points,
+           Task& task) {
+  if (turn_rad(surface.curved, points, task) < 2 * settings.normal_tolerance_rad) return false;
   PlaneFit plane;
   return fit_plane(points, plane) && plane.sigma >= kCurvedChecksLeastGain * surface.sigma_m;
 }
 
 // Least sum of squares of one plane, two, three ... over consecutive arcs, by dynamic programming over their ends.
-bool is_faceted(const Surface& surface, std::span<const Vec3> points) {
+bool is_faceted(const Surface& surface, std::span<const Vec3> points, Task& task) {
   if (surface.curved.is_sphere()) return false;
   double squares = 0;
-  const std::array<Moments, kArcs> arcs = moments_of_arcs(surface, points, squares);
+  const std::array<Moments, kArcs> arcs = moments_of_arcs(surface, points, squares, task);
   std::array<double, kArcs + 1> least;  // of the arcs before k
   least.fill(INFINITY);
   least[0] = 0;
@@ -95,10 +96,10 @@ bool is_faceted(const Surface& surface, std::span<const Vec3> points) {
 bool stands_out(const SegmentScene& scene, const PointPool& pool, const Surface& surface,
                 std::span<const Vec3> points, Task& task) {
   const double tolerance = scene.settings.distance_tolerance_m;
-  const SurfaceMap map = surface.curved.map(points);
+  const SurfaceMap map = surface.curved.map(points, task);
   std::vector<Vec2> uv(points.size());
   std::transform(points.begin(), points.end(), uv.begin(), [&](const Vec3& p) { return map(p); });
-  const Raster raster = bounded_raster(uv, surface.pixel_m, 0);
+  const Raster raster = bounded_raster(uv, surface.pixel_m, 0, task);
   CurvedTest test = curved_test(scene, surface.curved, 0, 2 * tolerance);
   test.cosine2 = 0;
   size_t beside = 0;

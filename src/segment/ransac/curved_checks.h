@@ -8,10 +8,11 @@ namespace jalon {
 
 /// False when the surface turns by less than twice the normal tolerance over its points (then each of them agrees with
 /// the plane in its middle) or when a plane fits them nearly as well.
-bool bends(const SurfaceSettings& settings, const Surface& surface, std::span<const Vec3> points);
+bool bends(const SurfaceSettings& settings, const Surface& surface, std::span<const Vec3> points,
+           Task& task);
 
 /// True when a few planes along a cylinder's axis fit its points as well: the corner of a wall, a square post.
-bool is_faceted(const Surface& surface, std::span<const Vec3> points);
+bool is_faceted(const Surface& surface, std::span<const Vec3> points, Task& task);
 
 /// False when the free points beside the surface, one to two tolerances off it, are as many as clutter has: it cuts
 /// through a crown or a crowd rather than being anything.

@@ -43,11 +43,11 @@ void keep_largest_region(const SegmentScene& scene, const PointPool& pool, const
   const auto spacing_at = [&](size_t i) { return scene.spacing[pool.position(members.slots[i])]; };
   members.pixel_m = connectivity_pixel(scene.settings, members.slots.size(), spacing_at, task);
   const std::vector<Vec3> points = points_of(pool, members);
-  const SurfaceMap map = curved.map(points);
+  const SurfaceMap map = curved.map(points, task);
   std::vector<Vec2> uv(points.size());
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = map(points[i]);
   if (!scene.settings.connectivity) {
-    members.area_m2 = occupied_area_m2(bounded_raster(uv, members.pixel_m, 0));
+    members.area_m2 = occupied_area_m2(bounded_raster(uv, members.pixel_m, 0, task));
     return;
   }
   // At least two pixels: on a pipe of few points some rows are empty by chance.
@@ -149,7 +149,7 @@ bool settle_as_what_it_is(const SegmentScene& scene, const PointPool& pool, doub
 // Is it a curved surface, and one by itself?
 bool is_curved(const SegmentScene& scene, const PointPool& pool, const Surface& surface,
                std::span<const Vec3> points, Task& task) {
-  return bends(scene.settings, surface, points) && !is_faceted(surface, points) &&
+  return bends(scene.settings, surface, points, task) && !is_faceted(surface, points, task) &&
          stands_out(scene, pool, surface, points, task);
 }
 
@@ -201,7 +201,7 @@ bool fit_curved_core(const SegmentScene& scene, const Surface& surface, bool rob
   }
   if (!adjust_curved(near, surface.curved, fit_setting(scene.settings, robust), task, out))
     return false;
-  describe_curved(all, surface.pixel_m, out);
+  describe_curved(all, surface.pixel_m, out, task);
   return true;
 }
 
@@ -221,7 +221,7 @@ bool refit_curved(const SegmentScene& scene, Surface& surface, Task& task) {
     return false;
   std::vector<Vec3> points(surface.positions.size());
   for (size_t i = 0; i < points.size(); ++i) points[i] = scene.local(surface.positions[i]);
-  return bends(settings, surface, points) && !is_faceted(surface, points);
+  return bends(settings, surface, points, task) && !is_faceted(surface, points, task);
 }
 
 }  // namespace jalon

@@ -213,7 +213,7 @@ std::vector<Vec2> flat_points(const SegmentScene& scene, const Surface& surface,
   }
   std::vector<Vec3> points(uv.size());
   for (size_t i = 0; i < uv.size(); ++i) points[i] = scene.local(surface.positions[i]);
-  const SurfaceMap map = surface.curved.map(points);
+  const SurfaceMap map = surface.curved.map(points, task);
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = map(points[i]);
   return uv;
 }

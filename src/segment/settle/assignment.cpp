@@ -79,7 +79,7 @@ Raster image_of(const SegmentScene& scene, const Surface& surface, Patch& patch,
   }
   std::vector<Vec3> points(positions.size());
   for (size_t i = 0; i < points.size(); ++i) points[i] = scene.local(positions[i]);
-  patch.map = surface.curved.map(points);
+  patch.map = surface.curved.map(points, task);
   std::vector<Vec2> uv(points.size());
   for (size_t i = 0; i < uv.size(); ++i) uv[i] = patch.map(points[i]);
   return bounded_raster(uv, surface.pixel_m, 1, task);

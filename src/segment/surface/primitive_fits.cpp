@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "base/setting_rows.h"
 #include "base/text_number.h"
 #include "geometry/circle.h"
@@ -38,20 +39,23 @@ void require_points(const PointList& list, size_t least, const char* what) {
 }
 
 // Area and extents of what lies within the tolerance; outliers have no part in them.
-void describe_members(const PointList& list, const PrimitiveSetting& setting, Segment& segment) {
+void describe_members(const PointList& list, const PrimitiveSetting& setting, Segment& segment,
+                      Task& task) {
+  if (!setting.robust) return describe_curved(list.points, 0, segment, task);
   std::vector<Vec3> members;
-  for (const Vec3& p : list.points)
-    if (!setting.robust || std::fabs(segment.distance(p)) <= setting.tolerance_m)
-      members.push_back(p);
-  describe_curved(members, 0, segment);
+  serial_for(task, list.points.size(), kPrimitiveFitsPointsPerChunk, [&](size_t begin, size_t end) {
+    for (const Vec3& p : std::span(list.points).subspan(begin, end - begin))
+      if (std::fabs(segment.distance(p)) <= setting.tolerance_m) members.push_back(p);
+  });
+  describe_curved(members, 0, segment, task);
 }
 
 uint64_t point_index(std::span<const uint64_t> indices, size_t i) {
   return indices.empty() ? i : indices[i];
 }
 
-double occupied_area(std::span<const Vec2> uv, double pixel_m) {
-  const Raster raster = bounded_raster(uv, pixel_m, 0);
+double occupied_area(std::span<const Vec2> uv, double pixel_m, Task& task) {
+  const Raster raster = bounded_raster(uv, pixel_m, 0, task);
   const auto pixels = std::count(raster.pixels.begin(), raster.pixels.end(), uint8_t{1});
   return static_cast<double>(pixels) * raster.pixel_m * raster.pixel_m;
 }
@@ -132,23 +136,25 @@ std::vector<Vec3> listed_normals(const Cloud& cloud, std::span<const uint64_t> i
 
 std::span<const ParamRow> primitive_rows() { return kPrimitiveRows; }
 
-void describe_curved(std::span<const Vec3> points, double pixel_m, Segment& segment) {
-  const SurfaceMap map = SurfaceMap::of(segment, points);
+void describe_curved(std::span<const Vec3> points, double pixel_m, Segment& segment, Task& task) {
+  const SurfaceMap map = SurfaceMap::of(segment, points, task);
   std::vector<Vec2> uv(points.size());
   Vec2 low{INFINITY, INFINITY}, high{-INFINITY, -INFINITY};
-  for (size_t i = 0; i < uv.size(); ++i) {
-    uv[i] = map(points[i]);
-    low = {std::min(low.u, uv[i].u), std::min(low.v, uv[i].v)};
-    high = {std::max(high.u, uv[i].u), std::max(high.v, uv[i].v)};
-  }
+  serial_for(task, uv.size(), kPrimitiveFitsPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      uv[i] = map(points[i]);
+      low = {std::min(low.u, uv[i].u), std::min(low.v, uv[i].v)};
+      high = {std::max(high.u, uv[i].u), std::max(high.v, uv[i].v)};
+    }
+  });
   const bool cylinder = segment.type == PrimitiveType::kCylinder;
   segment.length_u_m = cylinder ? high.v - low.v : kNaN;
   segment.length_v_m = cylinder ? high.u - low.u : kNaN;
   const double n = static_cast<double>(points.size());
   double area = (high.u - low.u) * (high.v - low.v);
   for (int round = 0; pixel_m <= 0 && round < kPixelRounds && area > 0; ++round)
-    area = occupied_area(uv, std::sqrt(kPointsPerPixel * area / n));
-  segment.area_m2 = pixel_m > 0 ? occupied_area(uv, pixel_m) : area;
+    area = occupied_area(uv, std::sqrt(kPointsPerPixel * area / n), task);
+  segment.area_m2 = pixel_m > 0 ? occupied_area(uv, pixel_m, task) : area;
 }
 
 void shift_origin(Segment& segment, const Vec3& origin) {
@@ -166,7 +172,7 @@ Segment sphere_segment(const Cloud& cloud, std::span<const uint64_t> indices,
   out.label = 1;
   out.type = PrimitiveType::kSphere;
   if (!fit_sphere(list.points, setting, task, out.sphere)) refuse(list, "sphere", setting);
-  describe_members(list, setting, out);
+  describe_members(list, setting, out, task);
   shift_origin(out, list.origin);
   return out;
 }
@@ -190,7 +196,7 @@ Segment cylinder_segment(const Cloud& cloud, std::span<const uint64_t> indices,
     found = fit_cylinder(list.points, normals, setting, task, out.cylinder);
   }
   if (!found) refuse(list, "cylinder", setting);
-  describe_members(list, setting, out);
+  describe_members(list, setting, out, task);
   shift_origin(out, list.origin);
   return out;
 }

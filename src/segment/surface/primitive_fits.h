@@ -41,7 +41,7 @@ FieldTable circle_table(const Cloud& cloud, std::span<const uint64_t> indices,
                         const PrimitiveFitSettings& settings, Task& task);
 
 /// Area, length and arc of a sphere or cylinder from its points (in the frame of its fit).
-void describe_curved(std::span<const Vec3> points, double pixel_m, Segment& segment);
+void describe_curved(std::span<const Vec3> points, double pixel_m, Segment& segment, Task& task);
 /// Moves a fit from local to world coordinates.
 void shift_origin(Segment& segment, const Vec3& origin);
 

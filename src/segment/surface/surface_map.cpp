@@ -6,12 +6,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/serial.h"
 #include "segment/surface/scene.h"
 
 namespace jalon {
 
 namespace {
 
+constexpr size_t kMappedPointsPerLook = 1 << 15;
 constexpr size_t kSurfaceMapSectors =
     180;  // of 2 degrees: wider gaps than those between points of a scan
 
@@ -41,7 +43,8 @@ SurfaceMap SurfaceMap::of_plane(const Plane& plane, const Vec3& near) {
   return map;
 }
 
-SurfaceMap SurfaceMap::of_cylinder(const Cylinder& cylinder, std::span<const Vec3> points) {
+SurfaceMap SurfaceMap::of_cylinder(const Cylinder& cylinder, std::span<const Vec3> points,
+                                   Task& task) {
   SurfaceMap map;
   map.type_ = PrimitiveType::kCylinder;
   map.centre_ = cylinder.point;
@@ -49,25 +52,29 @@ SurfaceMap SurfaceMap::of_cylinder(const Cylinder& cylinder, std::span<const Vec
   map.radius_ = cylinder.radius;
   const auto e = across(cylinder.direction);
   std::array<bool, kSurfaceMapSectors> occupied{};
-  for (const Vec3& p : points) {
-    const Vec3 d = p - cylinder.point;
-    const double turn = std::atan2(dot(d, e[1]), dot(d, e[0])) / (2 * std::numbers::pi);
-    occupied[static_cast<size_t>((turn - std::floor(turn)) * kSurfaceMapSectors) %
-             kSurfaceMapSectors] = true;
-  }
+  serial_for(task, points.size(), kMappedPointsPerLook, [&](size_t begin, size_t end) {
+    for (const Vec3& p : points.subspan(begin, end - begin)) {
+      const Vec3 d = p - cylinder.point;
+      const double turn = std::atan2(dot(d, e[1]), dot(d, e[0])) / (2 * std::numbers::pi);
+      occupied[static_cast<size_t>((turn - std::floor(turn)) * kSurfaceMapSectors) %
+               kSurfaceMapSectors] = true;
+    }
+  });
   const double cut = widest_gap(occupied);  // the map begins and ends where u_ points away from
   map.u_ = -(std::cos(cut) * e[0] + std::sin(cut) * e[1]);
   map.v_ = cross(cylinder.direction, map.u_);
   return map;
 }
 
-SurfaceMap SurfaceMap::of_sphere(const Sphere& sphere, std::span<const Vec3> points) {
+SurfaceMap SurfaceMap::of_sphere(const Sphere& sphere, std::span<const Vec3> points, Task& task) {
   SurfaceMap map;
   map.type_ = PrimitiveType::kSphere;
   map.centre_ = sphere.centre;
   map.radius_ = sphere.radius;
   Vec3 sum;
-  for (const Vec3& p : points) sum += normalized(p - sphere.centre);
+  serial_for(task, points.size(), kMappedPointsPerLook, [&](size_t begin, size_t end) {
+    for (const Vec3& p : points.subspan(begin, end - begin)) sum += normalized(p - sphere.centre);
+  });
   map.w_ = squared_norm(sum) > 0 ? normalized(sum) : Vec3{0, 0, 1};
   const auto e = across(map.w_);
   map.u_ = e[0];
@@ -75,10 +82,10 @@ SurfaceMap SurfaceMap::of_sphere(const Sphere& sphere, std::span<const Vec3> poi
   return map;
 }
 
-SurfaceMap SurfaceMap::of(const Segment& segment, std::span<const Vec3> points) {
-  if (segment.type == PrimitiveType::kSphere) return of_sphere(segment.sphere.sphere, points);
+SurfaceMap SurfaceMap::of(const Segment& segment, std::span<const Vec3> points, Task& task) {
+  if (segment.type == PrimitiveType::kSphere) return of_sphere(segment.sphere.sphere, points, task);
   if (segment.type == PrimitiveType::kCylinder)
-    return of_cylinder(segment.cylinder.cylinder, points);
+    return of_cylinder(segment.cylinder.cylinder, points, task);
   return of_plane(segment.fit.plane, segment.fit.centroid);
 }
 

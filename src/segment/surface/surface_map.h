@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "base/task.h"
 #include "segment/segmentation.h"
 
 namespace jalon {
@@ -15,10 +16,10 @@ class SurfaceMap {
   SurfaceMap() = default;
   static SurfaceMap of_plane(const Plane& plane, const Vec3& near);
   /// Cut open along the widest stretch without points.
-  static SurfaceMap of_cylinder(const Cylinder& cylinder, std::span<const Vec3> points);
-  static SurfaceMap of_sphere(const Sphere& sphere, std::span<const Vec3> points);
+  static SurfaceMap of_cylinder(const Cylinder& cylinder, std::span<const Vec3> points, Task& task);
+  static SurfaceMap of_sphere(const Sphere& sphere, std::span<const Vec3> points, Task& task);
   /// By the segment's type; points in the frame of its fit.
-  static SurfaceMap of(const Segment& segment, std::span<const Vec3> points);
+  static SurfaceMap of(const Segment& segment, std::span<const Vec3> points, Task& task);
 
   Vec2 operator()(const Vec3& p) const;
 

@@ -173,7 +173,7 @@ LocalMesh grid_mesh(const Octree& tree, std::span<const ScanGrid> grids, const M
       for (auto& part : mesher.triangles(grid, task)) parts.push_back(std::move(part));
     }
   }
-  take_triangles(mesh, joined(std::move(parts)), tree.size());
+  take_triangles(mesh, joined(std::move(parts)), tree.size(), task);
   return mesh;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/buffer.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "geometry/growing_delaunay.h"
 #include "geometry/plane.h"
 #include "segment/triangles/packed_star.h"
@@ -20,6 +21,7 @@ namespace {
 constexpr double kSearchInSpacings = 3;     // the upper end of "2 to 3 point spacings"
 constexpr double kStarGridShare = 0x1p-22;  // snapping step of a star as a share of its radius
 constexpr size_t kStarPointsPerChunk = 2048;
+constexpr size_t kTrianglesPerLook = 1 << 16;
 constexpr size_t kNumbersPerStar = 8;          // a place and six or seven links
 constexpr size_t kMostBlockNumbers = 9 << 20;  // 36 MiB: beyond what allocators keep for themselves
 constexpr size_t kStarRun = 64;                // points that share an entry of the index of stars
@@ -227,15 +229,22 @@ TriangleCorners ascending_corners(uint32_t a, uint32_t b, uint32_t c) {
   return {a, b, c};
 }
 
-void take_triangles(LocalMesh& mesh, std::vector<TriangleCorners> triangles, size_t points) {
+void take_triangles(LocalMesh& mesh, std::vector<TriangleCorners> triangles, size_t points,
+                    Task& task) {
   mesh.triangles = std::move(triangles);
   mesh.first.assign(points + 1, 0);
-  for (const TriangleCorners& t : mesh.triangles)
-    for (const uint32_t corner : t) ++mesh.first[corner + 1];
+  const size_t count = mesh.triangles.size();
+  serial_for(task, count, kTrianglesPerLook, [&](size_t begin, size_t end) {
+    for (size_t t = begin; t < end; ++t)
+      for (const uint32_t corner : mesh.triangles[t]) ++mesh.first[corner + 1];
+  });
   for (size_t i = 0; i < points; ++i) mesh.first[i + 1] += mesh.first[i];
   mesh.at_point.resize(mesh.first[points]);
-  for (uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const uint32_t corner : mesh.triangles[t]) mesh.at_point[mesh.first[corner]++] = t;
+  serial_for(task, count, kTrianglesPerLook, [&](size_t begin, size_t end) {
+    for (size_t t = begin; t < end; ++t)
+      for (const uint32_t corner : mesh.triangles[t])
+        mesh.at_point[mesh.first[corner]++] = static_cast<uint32_t>(t);
+  });
   // Each place went on to the end of its point's list, where the next one's begins.
   std::copy_backward(mesh.first.begin(), mesh.first.end() - 1, mesh.first.end());
   mesh.first[0] = 0;
@@ -251,7 +260,7 @@ LocalMesh local_mesh(const Octree& tree, const MeshRule& rule, Task& task) {
     const auto agreed = agreed_triangles(stars, n, rule.least_stars, task);
     triangles = kept_triangles(stars, n, agreed, task);
   }
-  take_triangles(mesh, std::move(triangles), n);
+  take_triangles(mesh, std::move(triangles), n, task);
   return mesh;
 }
 

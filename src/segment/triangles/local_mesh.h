@@ -27,7 +27,8 @@ struct LocalMesh {
 using TriangleCorners = std::array<uint32_t, 3>;
 TriangleCorners ascending_corners(uint32_t a, uint32_t b, uint32_t c);
 /// The mesh gets the triangles, and knows which of them are at each of so many points.
-void take_triangles(LocalMesh& mesh, std::vector<TriangleCorners> triangles, size_t points);
+void take_triangles(LocalMesh& mesh, std::vector<TriangleCorners> triangles, size_t points,
+                    Task& task);
 
 /// What makes a triangle.
 struct MeshRule {

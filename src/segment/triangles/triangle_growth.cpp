@@ -9,6 +9,8 @@
 #include <numeric>
 #include <utility>
 
+#include "base/serial.h"
+
 namespace jalon {
 
 namespace {
@@ -19,6 +21,7 @@ constexpr double kTriangleRefit = 1.1;    // growth after which the plane is fit
 constexpr double kNoiseSigmas = 3;        // of a corner, that turn a small triangle
 constexpr uint64_t kLeastForSigma = 12;   // points that tell the noise (as in local_surface.cpp)
 constexpr size_t kTrianglesPerCheckpoint = 1 << 12;
+constexpr size_t kRoughnessPerLook = 1 << 16;
 constexpr size_t kRoughnessClasses = 16;  // most of the points have regions after the first few
 constexpr int kDigitShift = 17;           // sign, exponent and six bits: steps of 1.6 %
 
@@ -64,8 +67,10 @@ class TriangleGrower {
   }
   std::vector<RoughnessClass> roughness_classes() const {
     std::vector<size_t> counts(size_t{1} << (32 - kDigitShift), 0);
-    for (const float roughness : mesh_.roughness_m)
-      if (smooth(roughness)) ++counts[digit_of(roughness)];
+    serial_for(task_, mesh_.roughness_m.size(), kRoughnessPerLook, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i)
+        if (smooth(mesh_.roughness_m[i])) ++counts[digit_of(mesh_.roughness_m[i])];
+    });
     std::vector<RoughnessClass> classes;
     RoughnessClass next{0, 0, 0};
     for (uint32_t digit = 0; digit < counts.size(); ++digit) {
@@ -82,12 +87,15 @@ class TriangleGrower {
   }
   std::vector<uint32_t> seeds_of(const RoughnessClass& c) const {
     std::vector<uint32_t> seeds;
-    for (uint32_t point = 0; point < tree_.size(); ++point) {
-      const float roughness = mesh_.roughness_m[point];
-      const uint32_t digit = digit_of(roughness);
-      if (digit >= c.first && digit < c.last && smooth(roughness) && is_seed(point))
-        seeds.push_back(point);
-    }
+    serial_for(task_, tree_.size(), kRoughnessPerLook, [&](size_t begin, size_t end) {
+      for (size_t point = begin; point < end; ++point) {
+        const float roughness = mesh_.roughness_m[point];
+        const uint32_t digit = digit_of(roughness);
+        if (digit >= c.first && digit < c.last && smooth(roughness) &&
+            is_seed(static_cast<uint32_t>(point)))
+          seeds.push_back(static_cast<uint32_t>(point));
+      }
+    });
     std::stable_sort(seeds.begin(), seeds.end(), [&](uint32_t a, uint32_t b) {
       return mesh_.roughness_m[a] < mesh_.roughness_m[b];
     });

@@ -23,6 +23,7 @@ namespace {
 // Strip of a straight edge in triangle edges: cut corners are at most half an edge deep.
 constexpr double kToleranceOfEdge = 0.6;
 constexpr double kVectoriseChordError = 0.05;  // spacings: chords for arcs in the tests of nesting
+constexpr size_t kPointsProjected = 1 << 15;   // at once
 constexpr double kCrossingReach = 3;           // spacings: about 28 points of each of two planes
 constexpr double kParallel = 0.9;              // cosine: 26 degrees
 
@@ -112,8 +113,9 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
   // 1. Frame and plane coordinates (Boulaassal 2010, 4.2.1).
   out.frame = segment_frame(segmentation, segment, indices);
   std::vector<Vec2> points(indices.size());
-  for (size_t i = 0; i < indices.size(); ++i)
-    points[i] = out.frame.project(cloud.point(indices[i]));
+  parallel_for(task, indices.size(), kPointsProjected, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) points[i] = out.frame.project(cloud.point(indices[i]));
+  });
   // 2. Contours (4.2.2, 4.2.3).
   ForeignTest foreign;
   if (setting.straighten)
@@ -133,7 +135,7 @@ VectorPlane Vectoriser::operator()(size_t s, Task& task) const {
   // 3. Edges and nodes where they are measured (4.3.1 to 4.3.3).
   const auto near = [&](std::span<const std::vector<Vec2>> rings, const NearSetting& about) {
     return points_near(segmentation, *tree, out.frame, rings, parallel_planes(segmentation, s),
-                       about);
+                       about, task);
   };
   const auto joints = [&] {
     return crossing_lines(segmentation, groups, s, out.frame, kCrossingReach * contour.spacing_m);

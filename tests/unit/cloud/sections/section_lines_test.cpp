@@ -52,7 +52,8 @@ double nearest(const Vec2& p, const std::vector<Vec2>& to) {
 
 std::vector<SectionLine> lines_of(const std::vector<Vec2>& points, SectionSettings settings = {}) {
   double cell_m = 0;
-  return section_lines(points, settings, cell_m);
+  Task task;
+  return section_lines(points, settings, cell_m, task);
 }
 
 TEST_CASE("section_lines__a_room_is_one_loop_with_its_corners") {

@@ -37,38 +37,41 @@ double rms_across(const std::vector<Vec2>& points) {
 }
 
 TEST_CASE("slid_points__of_a_leaning_wall_scatter_by_its_noise_alone") {
+  Task task;
   for (const double lean_deg : {10.0, 30.0, 45.0, 60.0})
     for (uint64_t seed = 1; seed < 6; ++seed) {
       CAPTURE(lean_deg);
       const auto out =
-          slid_points(leaning_wall(seed, lean_deg, kSlidNoise_m), kSlab_m, kSlidTolerance_m);
+          slid_points(leaning_wall(seed, lean_deg, kSlidNoise_m), kSlab_m, kSlidTolerance_m, task);
       const double noise_across = kSlidNoise_m / std::cos(lean_deg * std::numbers::pi / 180);
       CHECK(rms_across(out) < 1.15 * noise_across);
     }
 }
 
 TEST_CASE("slid_points__of_an_upright_wall_stay_where_they_are") {
+  Task task;
   size_t moved = 0;
   for (uint64_t seed = 1; seed < 6; ++seed) {
     std::vector<Vec3> points = leaning_wall(seed, 0, kSlidNoise_m);
     std::ranges::sort(points, {}, [](const Vec3& p) { return std::pair(p.x, p.y); });
-    const auto out = slid_points(points, kSlab_m, kSlidTolerance_m);
+    const auto out = slid_points(points, kSlab_m, kSlidTolerance_m, task);
     for (size_t i = 0; i < out.size(); ++i) moved += out[i].u != points[i].x;
   }
   CHECK(moved < 600);  // of 30 000
 }
 
 TEST_CASE("slid_points__of_a_face_in_the_section_and_of_few_stay_above_their_feet") {
+  Task task;
   RandomStream random(3, 18);
   std::vector<Vec3> floor;
   for (int i = 0; i < 4000; ++i)
     floor.push_back({2 * random.uniform(), 2 * random.uniform(), 0.003 * random.normal()});
   std::ranges::sort(floor, {}, [](const Vec3& p) { return std::pair(p.x, p.y); });
-  const auto out = slid_points(floor, kSlab_m, kSlidTolerance_m);
+  const auto out = slid_points(floor, kSlab_m, kSlidTolerance_m, task);
   for (size_t i = 0; i < out.size(); ++i) CHECK(out[i] == Vec2{floor[i].x, floor[i].y});
-  CHECK(slid_points({}, kSlab_m, kSlidTolerance_m).empty());
-  CHECK(slid_points({{1, 2, 0.02}}, kSlab_m, kSlidTolerance_m) == std::vector<Vec2>{{1, 2}});
-  CHECK(slid_points({{1e300, -1e300, 0.02}}, kSlab_m, kSlidTolerance_m).size() == 1);
+  CHECK(slid_points({}, kSlab_m, kSlidTolerance_m, task).empty());
+  CHECK(slid_points({{1, 2, 0.02}}, kSlab_m, kSlidTolerance_m, task) == std::vector<Vec2>{{1, 2}});
+  CHECK(slid_points({{1e300, -1e300, 0.02}}, kSlab_m, kSlidTolerance_m, task).size() == 1);
 }
 
 // A room of 5 x 4 m, 2.8 m high, turned about the vertical: its walls meet upright sections at an angle.

@@ -40,7 +40,8 @@ double double_area(const ContourBand& band, const Triangle2& t) {
 
 TEST_CASE("contour_band__holds_what_lies_near_the_border_and_nothing_deep_inside") {
   const auto points = square();
-  const ContourBand band = contour_band(points, kCell, kSpacing, {});
+  Task task;
+  const ContourBand band = contour_band(points, kCell, kSpacing, {}, task);
   REQUIRE(band.is_inner.size() == band.points.size());
   REQUIRE(band.spacing_m.size() == band.points.size());
   for (const Vec2& p : points) {
@@ -62,10 +63,14 @@ TEST_CASE(
   for (int i = 0; i < 20; ++i) points.push_back({9, 0.1 * i});  // another surface's row
   points.push_back({-5, 3});
   std::set<uint32_t> asked;
-  const ContourBand band = contour_band(points, kCell, kSpacing, [&](uint32_t i) {
-    asked.insert(i);
-    return points[i].u < 0.1;
-  });
+  Task task;
+  const ContourBand band = contour_band(
+      points, kCell, kSpacing,
+      [&](uint32_t i) {
+        asked.insert(i);
+        return points[i].u < 0.1;
+      },
+      task);
   for (const Vec2& p : band.points) {
     CHECK(p.u >= 0.1);
     CHECK(p.u <= 6.1);

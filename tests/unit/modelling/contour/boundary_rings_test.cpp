@@ -41,7 +41,8 @@ struct Rings {
 Rings rings_of(const std::vector<const char*>& rows) {
   const Raster raster = raster_of(rows);
   Rings out;
-  for (const auto& piece : boundary_rings(raster.triangles, raster.points)) {
+  Task task;
+  for (const auto& piece : boundary_rings(raster.triangles, raster.points, task)) {
     ++out.pieces;
     double sum = 0;
     for (const auto& ring : piece.rings) {
@@ -92,4 +93,7 @@ TEST_CASE("boundary_rings: an island in a hole is a piece of its own") {
   CHECK(rings.areas == std::vector<double>{-9, 1, 25});
 }
 
-TEST_CASE("boundary_rings: no triangles, no rings") { CHECK(boundary_rings({}, {}).empty()); }
+TEST_CASE("boundary_rings: no triangles, no rings") {
+  Task task;
+  CHECK(boundary_rings({}, {}, task).empty());
+}

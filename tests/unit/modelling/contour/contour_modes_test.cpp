@@ -60,7 +60,8 @@ Hits hits(const GridWall& wall, const std::vector<uint32_t>& points) {
 
 std::vector<uint32_t> on_rings(const GridWall& wall, const std::vector<Triangle2>& triangles) {
   std::set<uint32_t> out;
-  for (const BoundaryPiece& piece : boundary_rings(triangles, wall.band.points))
+  Task task;
+  for (const BoundaryPiece& piece : boundary_rings(triangles, wall.band.points, task))
     for (const auto& ring : piece.rings) out.insert(ring.begin(), ring.end());
   return {out.begin(), out.end()};
 }

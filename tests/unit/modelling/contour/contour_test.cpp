@@ -64,7 +64,7 @@ TEST_CASE("extract_contour: leaving out inner points changes no ring of the full
         if (norm(points[t[k]] - points[t[(k + 1) % 3]]) > 0.1) return true;
       return false;
     });
-    const auto pieces = boundary_rings(triangles, points);
+    const auto pieces = boundary_rings(triangles, points, task);
     REQUIRE(pieces.size() == 1);
     std::vector<size_t> fast{contour.pieces[0].outline.size()}, slow;
     for (const auto& opening : contour.pieces[0].openings) fast.push_back(opening.size());

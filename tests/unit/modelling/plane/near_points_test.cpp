@@ -40,7 +40,8 @@ TEST_CASE("near_points__are_all_within_reach_of_the_rings_each_once") {
   const std::vector<std::vector<Vec2>> rings{{{0, 0}, {4, 0}, {4, 3}, {0, 3}},
                                              {{1, 1}, {1, 2}, {2, 2}}};
   const std::vector<uint8_t> parallel{0, 1, 0};
-  const NearPoints near = points_near(segmentation, *tree, frame, rings, parallel, kNearSetting);
+  const NearPoints near =
+      points_near(segmentation, *tree, frame, rings, parallel, kNearSetting, task);
   REQUIRE(near.heights_m.size() == near.points.size());
   REQUIRE(near.on_plane.size() == near.points.size());
   std::multiset<std::pair<double, double>> found;
@@ -78,8 +79,8 @@ TEST_CASE("near_points__of_no_rings_are_none") {
   const auto tree = segmentation.cloud->octree(task);
   const PlaneFrame frame = plane_frame({{0, -1, 0}, 0}, {0, 0, 0}, {1, 0, 0});
   const std::vector<uint8_t> parallel{0, 1, 0};
-  CHECK(points_near(segmentation, *tree, frame, {}, parallel, kNearSetting).points.empty());
+  CHECK(points_near(segmentation, *tree, frame, {}, parallel, kNearSetting, task).points.empty());
   // Nor those of a ring where no point is.
   const std::vector<std::vector<Vec2>> far{{{100, 100}, {101, 100}, {101, 101}}};
-  CHECK(points_near(segmentation, *tree, frame, far, parallel, kNearSetting).points.empty());
+  CHECK(points_near(segmentation, *tree, frame, far, parallel, kNearSetting, task).points.empty());
 }

@@ -30,7 +30,8 @@ bool pipe_bends(double turn_rad, double noise_m = kCheckNoise_m) {
   RandomStream random(1, 21);
   const Cylinder pipe{{0, 0, 0}, {0, 0, 1}, 0.25};
   add_pipe(scene, 1, {pipe, 1, turn_rad}, 2000, noise_m, random);
-  return bends({}, about(Curved(pipe), scene.points), scene.points);
+  Task task;
+  return bends({}, about(Curved(pipe), scene.points), scene.points, task);
 }
 
 bool cap_bends(double half_rad) {
@@ -38,7 +39,8 @@ bool cap_bends(double half_rad) {
   RandomStream random(2, 21);
   const Sphere ball{{1, 2, 3}, 0.6};
   add_ball(scene, 1, ball, std::cos(half_rad), 2000, kCheckNoise_m, random);
-  return bends({}, about(Curved(ball), scene.points), scene.points);
+  Task task;
+  return bends({}, about(Curved(ball), scene.points), scene.points, task);
 }
 
 // Points on the walls of an upright prism of so many sides about the Z axis, which the circle `inner_m` touches.
@@ -60,7 +62,8 @@ bool faceted_about_z(const std::vector<Vec3>& points) {
   Cylinder mean{{0, 0, 0}, {0, 0, 1}, 0};
   for (const Vec3& p : points)
     mean.radius += mean.axis_distance(p) / static_cast<double>(points.size());
-  return is_faceted(about(Curved(mean), points), points);
+  Task task;
+  return is_faceted(about(Curved(mean), points), points, task);
 }
 
 }  // namespace
@@ -89,7 +92,8 @@ TEST_CASE("curved_checks__posts_and_corners_are_faceted_octagons_and_pipes_are_r
   RandomStream random(4, 21);
   const Sphere ball{{0, 0, 0}, 0.5};
   add_ball(scene, 1, ball, -1, 1000, kCheckNoise_m, random);
-  CHECK_FALSE(is_faceted(about(Curved(ball), scene.points), scene.points));
+  Task task;
+  CHECK_FALSE(is_faceted(about(Curved(ball), scene.points), scene.points, task));
 }
 
 TEST_CASE("curved_checks__a_pipe_stands_out_of_free_air_and_not_of_clutter") {

@@ -66,8 +66,9 @@ TEST_CASE("describe_curved__area_and_extents_of_a_pipe_and_a_ball") {
   const double turn_rad = 4;
   add_pipe(pipe, 1, {tube.cylinder.cylinder, 2.5, turn_rad}, 20000, 0, random);
   add_ball(ball, 1, globe.sphere.sphere, 0, 20000, 0, random);  // half of it
-  describe_curved(pipe.points, 0.04, tube);
-  describe_curved(ball.points, 0.04, globe);
+  Task task;
+  describe_curved(pipe.points, 0.04, tube, task);
+  describe_curved(ball.points, 0.04, globe, task);
   // Pixels that the border crosses count whole: half a pixel along 7 m, 4 %; 8 points a pixel leave none empty.
   CHECK(tube.area_m2 == doctest::Approx(0.4 * turn_rad * 2.5).epsilon(0.05).scale(0));
   CHECK(globe.area_m2 == doctest::Approx(kFullTurn_rad * 0.64).epsilon(0.05).scale(0));

@@ -35,9 +35,10 @@ TEST_CASE("surface_map__plane__keeps_distances") {
 
 TEST_CASE("surface_map__cylinder__unrolled_without_a_tear_where_points_are") {
   const Cylinder c{{3, 4, 5}, {0, 0, 1}, 0.5};
+  Task task;
   for (const double from : {-2.0, 0.5, 2.5}) {  // 200 degrees of it, wherever they begin
     const auto points = shell(c, from, from + 3.5);
-    const SurfaceMap map = SurfaceMap::of_cylinder(c, points);
+    const SurfaceMap map = SurfaceMap::of_cylinder(c, points, task);
     for (size_t i = 1; i < points.size(); ++i) {
       const Vec2 d = map(points[i]) - map(points[i - 1]);
       CHECK(std::fabs(d.u) == doctest::Approx(0.5 * 3.5 / 400).scale(0));
@@ -50,7 +51,8 @@ TEST_CASE("surface_map__sphere__caps_have_their_true_area") {
   const Sphere sphere{{1, 2, 3}, 2};
   const Vec3 middle = normalized(Vec3{1, 1, -0.5});
   const std::vector<Vec3> seen{sphere.centre + 2 * middle};
-  const SurfaceMap map = SurfaceMap::of_sphere(sphere, seen);
+  Task task;
+  const SurfaceMap map = SurfaceMap::of_sphere(sphere, seen, task);
   CHECK(norm(map(seen[0])) < 1e-9);
   const auto e = across(middle);
   for (const double angle : {0.1, 1.0, 2.0, 3.0}) {
