@@ -67,13 +67,13 @@ void free(void* block) {
 }
 #pragma GCC visibility pop
 
-static void arm_allocations(long k, int from_then_on) {
+static inline void arm_allocations(long k, int from_then_on) {
   attempts = failures = 0;
   fail_at = k;
   sticky = from_then_on;
   __atomic_store_n(&armed, 1, __ATOMIC_RELEASE);
 }
-static void disarm_allocations(void) { __atomic_store_n(&armed, 0, __ATOMIC_RELEASE); }
+static inline void disarm_allocations(void) { __atomic_store_n(&armed, 0, __ATOMIC_RELEASE); }
 static long live_blocks(void) { return __atomic_load_n(&live, __ATOMIC_ACQUIRE); }
 
 #endif

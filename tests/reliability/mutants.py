@@ -57,6 +57,8 @@ HOST = [
            BASE, "parallel_reduce gives the same bits for 1, 2 and 7 threads"),
     Mutant("T3", "src/base/pool.cpp", 'if (abandoned_) throw Error(Status::kCancelled, "cancelled");', "", BASE,
            "pool__a_cancelled_task_leaves_chunks_out_and_ends_with_kCancelled"),
+    Mutant("T3", "src/base/task.cpp", 'if (cancelled()) throw Error(Status::kCancelled, "cancelled");', "",
+           "release/reliability_cancel_places_test", "cancel__at_each_place_leaves_no_output_and_the_call_can_be_made_again"),
     Mutant("T7", "src/base/task.cpp", 'if (stop != 0) throw Error(Status::kCancelled, "cancelled by the progress callback");', "(void)stop;",
            BASE, "task__a_host_that_says_stop_or_throws_ends_the_operation"),
     Mutant("B3", "src/capi/jalon.map", "local: *;", "local: none;", "abi", "only plain jalon_ functions"),
