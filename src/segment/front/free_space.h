@@ -2,19 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "base/buffer.h"
 #include "segment/front/evidence.h"
+#include "segment/front/sparse_places.h"
 #include "segment/front/wall_sheet.h"
 
 namespace jalon {
-
-/// The cloud as beams are held against it: thinned, in the segments' frame.
-struct SparsePlaces {
-  double cell_m = 0.1;
-  Buffer<double> xyz;  ///< 3 a place, in an order that is not the points'
-};
-/// O(points).
-SparsePlaces sparse_places(const Cloud& cloud, const Vec3& origin, Task& task);
 
 /// Fills reach and blocked of the evidence: beams end at the first surface (Girardeau-Montaut 2006, 2.3.3), so what
 /// lies beyond a wall was seen through its openings or past its border. Stations are tried on both sides, and the

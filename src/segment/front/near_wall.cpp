@@ -85,9 +85,10 @@ void look_near(const Cloud& cloud, const Vec3& origin, std::span<const uint32_t>
     for (size_t i = begin; i < end; ++i) {
       const Role role = roles[labels[i]];
       if (role == Role::kWall) continue;
-      const WallPlace p = sheet.place_of(cloud.point(i) - origin);
-      const double off_m = std::fabs(p.d);
+      const Vec3 at = cloud.point(i) - origin;
+      const double off_m = std::fabs(sheet.off_plane_m(at));
       if (off_m < least_off_m || off_m > kGroundReach_m) continue;
+      const WallPlace p = sheet.place_of(at);
       const Mark mark = p.d > 0 ? kBefore : kBehind;
       if (role == Role::kLevel && std::fabs(p.v - sheet.foot()) <= kGroundStep_m)
         set_mark(ground[strip.cell_of(p)], mark);

@@ -78,7 +78,7 @@ WallSheet::WallSheet(const Cloud& cloud, const Vec3& origin, std::span<const uin
 }
 
 size_t WallSheet::cell_of(double u, double v) const {
-  const double column = std::floor((u - left_) / cell_m_), row = std::floor((v - foot_) / cell_m_);
+  const double column = (u - left_) / cell_m_, row = (v - foot_) / cell_m_;  // cut off below
   if (!(column >= 0 && row >= 0 && column < static_cast<double>(columns_) &&
         row < static_cast<double>(rows_)))
     return cells();

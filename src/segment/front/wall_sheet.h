@@ -28,6 +28,7 @@ class WallSheet {
   WallPlace place_of(const Vec3& p) const {
     return {dot(p, along_), dot(p, up_), plane_.distance(p)};
   }
+  double off_plane_m(const Vec3& p) const { return plane_.distance(p); }
   /// In the segments' frame.
   Vec3 point_of(const WallPlace& p) const {
     return p.u * along_ + p.v * up_ + (p.d + plane_.offset) * plane_.normal;
