@@ -4,15 +4,13 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "base/settings_json.h"
 #include "segment/plane_rows.h"
-#include "segment/raster/depth_image.h"
 #include "segment/raster/directions.h"
-#include "segment/raster/layers.h"
-#include "segment/raster/pixel_growth.h"
+#include "segment/raster/search.h"
 #include "segment/raster_settings.h"
+#include "segment/settle/assignment.h"
 #include "segment/settle/ending.h"
 #include "segment/settle/found_planes.h"
 
@@ -20,13 +18,12 @@ namespace jalon {
 
 namespace {
 
-constexpr uint32_t kBridgedPixels = 2;  // of gap_m = 0
-constexpr uint32_t kMostReach = 64;     // pixels: a ray is followed no farther
-constexpr double kLeastRegion = 0.25;   // of the least segment: such pieces may be joined
-// Between pixels that fit the points left and those that fitted the points before: then the raster is made anew, so
-// that those wait no longer that stood too far apart. Anything from 1.1 to 1.4 does as well on S1, S3, S11, the street.
-constexpr double kOtherDensity = 1.25;
-constexpr size_t kRasterPixelsPerChunk = 1 << 12;
+constexpr size_t kLeastForLarge =
+    1 << 18;  // points: the rasters of fewer take some hundredths of a second
+constexpr uint32_t kMostCoarseEdges = 4;   // a sixteenth of the points
+constexpr double kCoarsePixelsPerGap = 2;  // of merge_gap_m
+constexpr uint64_t kLeastCoarsePixels =
+    256;  // of a large plane: 16 x 16, whose border is a quarter of it
 
 constexpr auto kRasterLeast = plane_least_rows("raster_growing");
 constexpr auto kRasterPixel = setting_rows(number_row<&SurfaceSettings::pixel_m>(
@@ -96,99 +93,39 @@ std::vector<ImageAxes> planes_of_projection(const SegmentScene& scene,
   return planes;
 }
 
-PixelRule rule_of(const RasterSettings& settings, const DepthImage& image, uint32_t min_points,
-                  size_t free_points) {
-  PixelRule rule;
-  rule.tolerance_m = std::max(settings.surface.distance_tolerance_m, image.quantum_m);
-  rule.seed_pixels = settings.seed_pixels | 1u;
-  const double bridged = settings.gap_m > 0 ? std::floor(settings.gap_m / image.pixel_m)
-                                            : static_cast<double>(kBridgedPixels);
-  rule.reach_pixels = 1 + static_cast<uint32_t>(std::min<double>(kMostReach, bridged));
-  const double filled =
-      static_cast<double>(std::count(image.occupied.begin(), image.occupied.end(), uint8_t{1}));
-  const double by_area = settings.surface.min_area_m2 / (image.pixel_m * image.pixel_m);
-  const double by_points = min_points * filled / static_cast<double>(free_points);
-  rule.least_pixels = static_cast<uint64_t>(
-      std::max(rule.seed_pixels * 2.0, kLeastRegion * std::max(by_area, by_points)));
-  return rule;
+// How many pixels' edges make one of those that large planes are found on: what is found there as one lies no farther
+// apart than what merging joins. 1: none are looked for.
+uint32_t coarse_edges(const SegmentScene& scene) {
+  if (scene.size() < kLeastForLarge || !scene.settings.connectivity) return 1;
+  const double most = scene.settings.merge_gap_m / (kCoarsePixelsPerGap * image_pixel_m(scene));
+  return static_cast<uint32_t>(std::clamp(most, 1.0, static_cast<double>(kMostCoarseEdges)));
 }
 
-// The free points of the regions' pixels that lie in their planes; the pixels where there were such.
-struct TakenPoints {
-  size_t points = 0;
-  std::vector<uint32_t> pixels;
-  TakenPoints& operator+=(const TakenPoints& b) {
-    points += b.points;
-    pixels.insert(pixels.end(), b.pixels.begin(), b.pixels.end());
-    return *this;
-  }
-};
-
-TakenPoints take_points(SegmentScene& scene, const RasterLayers& layers,
-                        const PixelRegions& regions, double tolerance_m, uint32_t first_id,
-                        Task& task) {
-  const double cosine = scene.min_cosine();
-  return parallel_reduce(task, regions.pixels.size(), kRasterPixelsPerChunk, TakenPoints{},
-                         [&](size_t begin, size_t end) {
-                           TakenPoints taken;
-                           for (size_t k = begin; k < end; ++k) {
-                             const size_t before = taken.points;
-                             const uint32_t label = regions.labels[k];
-                             const Plane& plane = regions.planes[label - 1];
-                             for (const uint32_t i : layers.points_of(regions.pixels[k])) {
-                               if (scene.owner[i] != 0 ||
-                                   std::fabs(plane.distance(scene.local(i))) > tolerance_m ||
-                                   scene.inconsistent(i, plane.normal, cosine))
-                                 continue;
-                               scene.owner[i] = first_id + label - 1;
-                               ++taken.points;
-                             }
-                             if (taken.points > before) taken.pixels.push_back(regions.pixels[k]);
-                           }
-                           return taken;
-                         });
-}
-
-// Rasters along one direction until one takes nothing worth while: behind the first, regions start where the one
-// before took what stood in front, as long as the points left are about as dense. How many points are left.
-size_t grow_along(SegmentScene& scene, const RasterSettings& settings, const ImageAxes& axes,
-                  size_t free_points, uint32_t& planes, Task& task) {
-  RasterLayers layers(scene, settings);
-  PixelGrowth growth;
-  TakenPoints taken;
-  double pixel_m = 0;
-  const DepthImage& image = layers.image();
-  for (uint32_t layer = 0; layer < settings.layers; ++layer) {
-    if (free_points < std::max<size_t>(3, settings.surface.min_points)) break;
-    ProgressSpan span(task, static_cast<double>(layer) / settings.layers,
-                      (layer + 1.0) / settings.layers);
-    const double own_m = image_pixel_m(scene);
-    const bool anew = own_m > kOtherDensity * pixel_m || own_m * kOtherDensity < pixel_m;
-    if (anew) layers.look_along(axes, pixel_m = own_m, task);
-    else layers.look_behind(taken.pixels, task);
-    const PixelRule rule = rule_of(settings, image, settings.surface.min_points, free_points);
-    const std::vector<uint32_t> seeds =
-        anew ? pixel_seeds(image, rule, task) : pixel_seeds(image, rule, taken.pixels, task);
-    const PixelRegions regions = growth.grow(image, rule, seeds, task);
-    taken = take_points(scene, layers, regions, rule.tolerance_m, planes + 1, task);
-    planes += static_cast<uint32_t>(regions.planes.size());
-    free_points -= taken.points;
-    if (taken.points < settings.surface.min_points || taken.points == 0) break;
-  }
-  return free_points;
+// Large planes first, among few points and on wide pixels: most points are theirs, and the rasters of the points left
+// are small. Each gets its points among all.
+uint32_t find_large(SegmentScene& scene, const RasterSettings& settings,
+                    std::span<const ImageAxes> axes, Task& task) {
+  const uint32_t edges = coarse_edges(scene);
+  if (edges == 1) return 0;
+  const RasterScale scale{edges * edges, static_cast<double>(edges), kLeastCoarsePixels, false};
+  const uint32_t found = search_rasters(scene, settings, axes, scale, 1, task);
+  std::vector<Surface> surfaces = surfaces_of_owners(scene, found, task);
+  std::erase_if(surfaces, [](const Surface& s) { return s.positions.empty(); });
+  const double widest_m = scene.settings.merge_gap_m / kCoarsePixelsPerGap;
+  for (Surface& surface : surfaces)
+    surface.pixel_m = std::max(surface.pixel_m, std::min(edges * surface.pixel_m, widest_m));
+  assign_points(scene, surfaces, task);
+  return static_cast<uint32_t>(surfaces.size());
 }
 
 uint32_t grow_all_rasters(SegmentScene& scene, const RasterSettings& settings, Task& task) {
   const std::vector<ImageAxes> axes = planes_of_projection(scene, settings, task);
-  const auto parts = static_cast<double>(axes.size());
-  auto free_points = static_cast<size_t>(std::count(scene.owner.begin(), scene.owner.end(), 0u));
-  uint32_t planes = 0;
-  for (size_t d = 0; d < axes.size(); ++d) {
-    const auto part = static_cast<double>(d);
-    ProgressSpan span(task, part / parts, (part + 1) / parts, "growing on rasters");
-    free_points = grow_along(scene, settings, axes[d], free_points, planes, task);
-  }
-  return planes;
+  const uint32_t large = [&] {
+    ProgressSpan span(task, 0, 0.3, "growing on rasters");
+    return find_large(scene, settings, axes, task);
+  }();
+  ProgressSpan span(task, 0.3, 1, "growing on rasters");
+  return large + search_rasters(scene, settings, axes, {}, large + 1, task);
 }
 
 }  // namespace
@@ -197,8 +134,9 @@ std::span<const ParamRow> raster_growing_rows() { return kRasterRows; }
 
 // Region growing on depth images (the first of three methods for planes compared in France in 2006):
 // 1. planes of projection, from the directions that most surfaces look in; 2. for each a raster of the points that are
-// left, grey value = depth; 3. regions grown from the flattest windows, their points taken; 4. coplanar pieces joined,
-// points shared out among all planes, last fit.
+// left, grey value = depth; 3. regions grown from the flattest windows, their points taken: of large clouds large
+// planes on wide pixels first, then whatever is left; 4. coplanar pieces joined, points shared out among all planes,
+// last fit.
 Segmentation segment_raster_growing(const CloudPtr& cloud, const RasterSettings& settings,
                                     Task& task) {
   require_area(*cloud, task);

@@ -3,6 +3,7 @@
 #include "segment/raster/depth_image.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "segment/raster/layers.h"
 #include "segment/surface/spacing.h"
@@ -18,7 +19,9 @@ constexpr double kSpacingsPerImagePixel = 1.4;
 
 DepthImage depth_image(const SegmentScene& scene, const RasterSettings& settings,
                        const ImageAxes& axes, double pixel_m, Task& task) {
-  RasterLayers layers(scene, settings);
+  std::vector<uint32_t> all(scene.size());
+  std::iota(all.begin(), all.end(), 0u);
+  RasterLayers layers(scene, settings, all);
   layers.look_along(axes, pixel_m, task);
   return layers.image();
 }

@@ -43,11 +43,12 @@ struct ImageBox {
   }
 };
 
-ImageBox free_points_box(const SegmentScene& scene, const ImageAxes& axes, Task& task) {
-  return parallel_reduce(task, scene.size(), kImagePointsPerChunk, ImageBox{},
+ImageBox free_points_box(const SegmentScene& scene, std::span<const uint32_t> candidates,
+                         const ImageAxes& axes, Task& task) {
+  return parallel_reduce(task, candidates.size(), kImagePointsPerChunk, ImageBox{},
                          [&](size_t begin, size_t end) {
                            ImageBox box;
-                           for (size_t i = begin; i < end; ++i) {
+                           for (const uint32_t i : candidates.subspan(begin, end - begin)) {
                              if (scene.owner[i] != 0) continue;
                              const Vec3 p = scene.local(i);
                              box.add({dot(p, axes.u), dot(p, axes.v), dot(p, axes.n)});
@@ -56,8 +57,8 @@ ImageBox free_points_box(const SegmentScene& scene, const ImageAxes& axes, Task&
                          });
 }
 
-void size_image(DepthImage& image, const ImageBox& box, double pixel_m) {
-  const double most = std::max(kLeastPixels, kMostPixelsPerPoint * static_cast<double>(box.points));
+void size_image(DepthImage& image, const ImageBox& box, size_t points, double pixel_m) {
+  const double most = std::max(kLeastPixels, kMostPixelsPerPoint * static_cast<double>(points));
   const auto cells = [&](size_t k) { return std::floor((box.high[k] - box.low[k]) / pixel_m) + 1; };
   while (cells(0) * cells(1) > most) pixel_m *= 2;
   image.low = {box.low[0], box.low[1]};
@@ -84,9 +85,9 @@ void RasterLayers::look_along(const ImageAxes& axes, double pixel_m, Task& task)
   image_.axes = axes;
   firsts_ = {};
   points_ = {};
-  const ImageBox box = free_points_box(scene_, axes, task);
+  const ImageBox box = free_points_box(scene_, candidates_, axes, task);
   if (box.points == 0) return;
-  size_image(image_, box, pixel_m);
+  size_image(image_, box, scene_.size(), pixel_m);
   depths_ = {box.low[2], box.high[2]};
   if (settings_.grey_bits > 0)
     image_.quantum_m =
@@ -105,24 +106,25 @@ void RasterLayers::look_behind(std::span<const uint32_t> pixels, Task& task) {
 
 // Counted, then put in place, in any order within a pixel: none is asked for.
 void RasterLayers::put_points_in_pixels(size_t free_points, Task& task) {
-  Buffer<uint32_t> pixels(scene_.size());
+  const size_t n = candidates_.size();
+  Buffer<uint32_t> pixels(n);
   firsts_.assign(image_.size() + 1, 0);
-  parallel_for(task, scene_.size(), kImagePointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      pixels[i] = kInNoPixel;
-      if (scene_.owner[i] != 0) continue;
-      pixels[i] = static_cast<uint32_t>(image_.pixel_of(scene_.local(i)));
-      std::atomic_ref(firsts_[pixels[i]]).fetch_add(1, std::memory_order_relaxed);
+  parallel_for(task, n, kImagePointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      pixels[k] = kInNoPixel;
+      if (scene_.owner[candidates_[k]] != 0) continue;
+      pixels[k] = static_cast<uint32_t>(image_.pixel_of(scene_.local(candidates_[k])));
+      std::atomic_ref(firsts_[pixels[k]]).fetch_add(1, std::memory_order_relaxed);
     }
   });
   uint32_t sum = 0;
   for (uint32_t& first : firsts_) first = sum += first;  // the ends, which go down to the firsts
   points_.resize(free_points);
-  parallel_for(task, scene_.size(), kImagePointsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i)
-      if (pixels[i] != kInNoPixel)
-        points_[std::atomic_ref(firsts_[pixels[i]]).fetch_sub(1, std::memory_order_relaxed) - 1] =
-            static_cast<uint32_t>(i);
+  parallel_for(task, n, kImagePointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k)
+      if (pixels[k] != kInNoPixel)
+        points_[std::atomic_ref(firsts_[pixels[k]]).fetch_sub(1, std::memory_order_relaxed) - 1] =
+            candidates_[k];
   });
 }
 

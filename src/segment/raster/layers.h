@@ -15,9 +15,11 @@ namespace jalon {
 /// looked at whose points were taken: the last of many rasters, which take little each, cost little.
 class RasterLayers {
  public:
-  RasterLayers(const SegmentScene& scene, const RasterSettings& settings)
-      : scene_(scene), settings_(settings) {}
-  /// The first raster along a direction: depth_image() of the free points.
+  /// candidates: the points that are looked at, ascending; they must outlive it.
+  RasterLayers(const SegmentScene& scene, const RasterSettings& settings,
+               std::span<const uint32_t> candidates)
+      : scene_(scene), settings_(settings), candidates_(candidates) {}
+  /// The first raster along a direction: depth_image() of the candidates that are free.
   void look_along(const ImageAxes& axes, double pixel_m, Task& task);
   /// The next one: of these pixels points were taken, in scene.owner.
   void look_behind(std::span<const uint32_t> pixels, Task& task);
@@ -39,6 +41,7 @@ class RasterLayers {
 
   const SegmentScene& scene_;
   const RasterSettings& settings_;
+  std::span<const uint32_t> candidates_;
   DepthImage image_;
   DepthRange depths_;
   std::vector<uint32_t> firsts_;  ///< by pixel, into points_; with the end behind

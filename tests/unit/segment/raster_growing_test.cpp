@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "unit/segment/plane_methods.h"
+#include "unit/segment/same_bits.h"
 
 using namespace jalon;
 using namespace jalon::test;
@@ -47,6 +48,16 @@ TEST_CASE("raster_growing__rasters_of_all_directions_find_the_upright_sides_too"
     has_front_and_windows(scene, s);
     for (int face = 8; face <= 10; ++face) CHECK(best_match(scene, s, face).share > 0.9);
   }
+}
+
+TEST_CASE("raster_growing__of_many_points__large_planes_on_wide_pixels_and_the_small_ones_too") {
+  const Scene scene = spec_facade(0.0145, 36);
+  REQUIRE(scene.points.size() > 300000);
+  const auto cloud = cloud_of(scene.points);
+  const Segmentation s = segment_by("raster_growing", cloud, "{}", 1);
+  has_front_and_windows(scene, s);
+  for (int face = 8; face <= 11; ++face) CHECK(best_match(scene, s, face).share > 0.9);
+  check_same(s, segment_by("raster_growing", cloud, "{}", 7), false);
 }
 
 TEST_CASE("raster_growing__few_bits_lose_what_lies_within_a_step") {

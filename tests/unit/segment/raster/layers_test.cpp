@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "segment/raster/pixel_growth.h"
@@ -23,6 +24,12 @@ std::vector<Vec3> scattered(size_t count) {
   for (size_t i = 0; i < count; ++i)
     points.push_back({4 * random.uniform(), 3 * random.uniform(), 2 * random.uniform()});
   return points;
+}
+
+std::vector<uint32_t> all_positions(const MadeScene& made) {
+  std::vector<uint32_t> out(made.scene.size());
+  std::iota(out.begin(), out.end(), 0u);
+  return out;
 }
 
 // The image of the free points with the same pixels, by the definition.
@@ -73,7 +80,8 @@ TEST_CASE("raster_layers__each_image_is_that_of_the_points_left") {
       RasterSettings settings;
       settings.returns = returns;
       settings.grey_bits = grey_bits;
-      RasterLayers layers(made.scene, settings);
+      const std::vector<uint32_t> all = all_positions(made);
+      RasterLayers layers(made.scene, settings, all);
       RandomStream random(5, 1);
       for (const ImageAxes& axes : along) {
         layers.look_along(axes, 0.1, made.task);
@@ -92,7 +100,8 @@ TEST_CASE("raster_layers__each_point_is_in_its_pixel_and_in_no_other") {
   MadeScene made(scattered(3000));
   for (uint32_t i = 0; i < 3000; i += 3) made.scene.owner[i] = 1;
   const RasterSettings settings;
-  RasterLayers layers(made.scene, settings);
+  const std::vector<uint32_t> all = all_positions(made);
+  RasterLayers layers(made.scene, settings, all);
   layers.look_along({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0.1, made.task);
   std::vector<int> met(made.scene.size(), 0);
   for (size_t p = 0; p < layers.image().size(); ++p)
@@ -110,7 +119,8 @@ TEST_CASE("raster_layers__seeds_where_something_changed_are_those_of_the_whole_i
   scene.rectangle(2, {1, 1, 0.5}, {2, 0, 0}, {0, 1, 0}, 1500, 0.002, random);
   MadeScene made(scene.points);
   const RasterSettings settings;
-  RasterLayers layers(made.scene, settings);
+  const std::vector<uint32_t> all = all_positions(made);
+  RasterLayers layers(made.scene, settings, all);
   layers.look_along({{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, 0.1, made.task);
   const DepthImage& image = layers.image();
   const PixelRule rule{.tolerance_m = 0.02};
