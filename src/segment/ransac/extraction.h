@@ -18,6 +18,8 @@ struct Surface {
   double area_m2 = 0;
   double pixel_m = 0;
   std::vector<uint32_t> positions;  ///< in the octree's order
+  Raster image =
+      {};  ///< of them on the plane, with a margin of a pixel, from the fit to the sharing out; else empty
 
   /// What the rounds of sharing out points know of it.
   struct Sharing {
@@ -28,6 +30,15 @@ struct Surface {
   } sharing = {};
 
   bool is_plane() const { return !curved.exists(); }
+  Surface without_points() const {
+    Surface out;
+    out.plane = plane;
+    out.curved = curved;
+    out.sigma_m = sigma_m;
+    out.area_m2 = area_m2;
+    out.pixel_m = pixel_m;
+    return out;
+  }
 };
 
 /// The surface's points on a flat map of it, in metres.

@@ -74,6 +74,7 @@ Raster image_of(const SegmentScene& scene, const Surface& surface, Patch& patch,
                               });
   if (surface.is_plane()) {
     patch.frame = plane_frame(surface.plane, scene.local(positions[0]));
+    if (surface.image.size() > 0) return surface.image;
     const auto at = [&](size_t i) { return patch.frame(scene.local(positions[i])); };
     return bounded_raster_of(positions.size(), at, surface.pixel_m, 1, task);
   }
@@ -297,6 +298,7 @@ void Assignment::next_round(SegmentScene& scene, std::vector<Surface>& surfaces,
                [&](size_t begin, size_t end) { share_out(round, begin, end, moved); });
   take_positions(scene, surfaces, task);
   for (size_t s = 0; s < surfaces.size(); ++s) {
+    surfaces[s].image = {};
     Surface::Sharing& sharing = surfaces[s].sharing;
     sharing.number = static_cast<uint32_t>(s + 1);
     sharing.fresh = false;

@@ -39,8 +39,9 @@ void settle_within_class(const SegmentScene& scene, const Surface& surface,
 void fit_plane_segment(const SegmentScene& scene, Surface& surface, Task& task, Segment& segment) {
   segment.area_m2 = surface.area_m2;
   const std::vector<uint8_t> inner = points_off_border(scene, surface, task);
-  for (int round = 0; round < kFitRounds;
-       ++round) {  // the core depends on the plane: to a fixed point
+  // The core depends on the plane: to a fixed point. That of many points hardly does.
+  const int rounds = is_large(surface) ? 1 : kFitRounds;
+  for (int round = 0; round < rounds; ++round) {
     if (!fit_core(scene, surface, inner, task, segment.fit))
       fail(Status::kInternal, "a segment lost its plane");
     const bool is_fixed = surface.plane.normal == segment.fit.plane.normal &&

@@ -38,8 +38,9 @@ bool describe(const SegmentScene& scene, Surface& surface, Task& task) {
   surface.sigma_m = fit.sigma;
   surface.pixel_m = connectivity_pixel(
       settings, n, [&](size_t i) { return scene.spacing[surface.positions[i]]; }, task);
-  surface.area_m2 =
-      occupied_area_m2(bounded_raster(flat_points(scene, surface, task), surface.pixel_m, 0, task));
+  const FlatFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+  const auto at = [&](size_t i) { return frame(scene.local(surface.positions[i])); };
+  surface.area_m2 = occupied_area_m2(bounded_raster_of(n, at, surface.pixel_m, 0, task));
   return surface.area_m2 >= kLeastPiece * settings.min_area_m2;
 }
 

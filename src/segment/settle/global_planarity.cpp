@@ -290,6 +290,7 @@ void join_coplanar(const SegmentScene& scene, const std::vector<uint8_t>& is_par
       into.positions.insert(into.positions.end(), from.positions.begin(), from.positions.end());
       std::sort(into.positions.begin(), into.positions.end());
       into.area_m2 += from.area_m2;
+      into.image = {};
       into.plane = fit.plane;
       into.sigma_m = fit.sigma;
       clusters[i].moments += clusters[j].moments;

@@ -134,6 +134,7 @@ void absorb(Surface& into, MergingPart& into_part, const Surface& from, MergingP
   into.sigma_m = into_part.fit.sigma;
   into.area_m2 += from.area_m2;
   into.pixel_m = std::max(into.pixel_m, from.pixel_m);
+  into.image = {};
   into.sharing.fresh = true;
   into.sharing.moved = Surface::Sharing::kAll;
   into_part.points.take(std::move(from_part.points));

@@ -5,8 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/parallel.h"
+#include "segment/settle/each_surface.h"
 #include "segment/surface/connectivity.h"
+#include "spatial/region_runs.h"
 
 namespace jalon {
 
@@ -19,26 +20,42 @@ struct SplittingPart {
   uint64_t pixels = 0;
 };
 
-/// The connected parts of a surface, the one of most pixels first.
-std::vector<SplittingPart> parts_of(const SegmentScene& scene, const Surface& surface,
+// at(i): where the i-th of the surface's points lies on it. None where the surface is of one part, as most are.
+template <class At>
+std::vector<SplittingPart> parts_at(const SegmentScene& scene, const Surface& surface, const At& at,
                                     double& pixel_area_m2, Task& task) {
-  const std::vector<Vec2> uv = flat_points(scene, surface, task);
   // Dilation by r joins what is up to 2 r empty pixels apart: no less than connectivity and merging have joined.
   const double gap = std::max(scene.settings.gap_m, scene.settings.merge_gap_m);
   const auto reach =
       static_cast<uint32_t>(std::min(kMostReach, std::ceil(gap / (2 * surface.pixel_m))));
-  const Raster raster = bounded_raster(uv, surface.pixel_m, reach, task);
-  const Regions regions = label_regions(dilated(raster, reach));
+  const size_t n = surface.positions.size();
+  const Raster raster = bounded_raster_of(n, at, surface.pixel_m, reach, task);
+  const Raster joined = dilated(raster, reach);
+  if (region_runs(joined).count() < 2) return {};
+  const Regions regions = label_regions(joined);
   pixel_area_m2 = raster.pixel_m * raster.pixel_m;
   std::vector<SplittingPart> parts(regions.count());
   for (size_t p = 0; p < raster.size(); ++p)
     if (raster.pixels[p] != 0) ++parts[regions.labels[p] - 1].pixels;
-  for (size_t i = 0; i < uv.size(); ++i)
-    parts[regions.labels[raster.pixel_of(uv[i])] - 1].positions.push_back(surface.positions[i]);
+  for (size_t i = 0; i < n; ++i)
+    parts[regions.labels[raster.pixel_of(at(i))] - 1].positions.push_back(surface.positions[i]);
   std::stable_sort(parts.begin(), parts.end(), [](const SplittingPart& a, const SplittingPart& b) {
     return a.pixels > b.pixels;
   });
   return parts;
+}
+
+/// The connected parts of a surface, the one of most pixels first.
+std::vector<SplittingPart> parts_of(const SegmentScene& scene, const Surface& surface,
+                                    double& pixel_area_m2, Task& task) {
+  if (surface.is_plane()) {
+    const FlatFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
+    const auto at = [&](size_t i) { return frame(scene.local(surface.positions[i])); };
+    return parts_at(scene, surface, at, pixel_area_m2, task);
+  }
+  const std::vector<Vec2> uv = flat_points(scene, surface, task);
+  return parts_at(
+      scene, surface, [&](size_t i) { return uv[i]; }, pixel_area_m2, task);
 }
 
 }  // namespace
@@ -47,11 +64,12 @@ bool split_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& t
   const size_t least = std::max<size_t>(3, scene.settings.min_points);
   std::vector<std::vector<Surface>> apart(surfaces.size());
   std::vector<uint8_t> changed(surfaces.size(), 0);
-  parallel_for(task, surfaces.size(), 1, [&](size_t s, size_t) {
+  for_each_surface(surfaces, task, [&](size_t s) {
     double pixel_area_m2 = 0;
     std::vector<SplittingPart> parts = parts_of(scene, surfaces[s], pixel_area_m2, task);
     if (parts.size() < 2) return;
     changed[s] = 1;
+    surfaces[s].image = {};
     surfaces[s].sharing.fresh = true;
     surfaces[s].sharing.moved = Surface::Sharing::kAll;
     surfaces[s].positions = std::move(parts[0].positions);

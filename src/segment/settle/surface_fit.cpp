@@ -31,6 +31,8 @@ constexpr double kLeastMoved = 1e-3;
 constexpr uint32_t kLeftOut = 2;    // zone of a point that is no sample
 constexpr double kBorderReach = 3;  // spacings within which a point has neighbours on all sides
 constexpr size_t kMostForBorder = 50000;  // larger surfaces tell their border by pixels
+// Points: their plane is right to a two-hundredth of its noise, which is itself a fraction of the tolerance.
+constexpr size_t kEnoughForSharing = 1 << 16;
 
 // For each point of the surface, 1 when it lies away from the surface's border. Where another surface meets this one at
 // an angle, that one's points are within reach on one side only and shift the plane: 0.3 mm at a pane of 1.2 m whose
@@ -105,6 +107,8 @@ bool border_shifts(const PlaneFit& all, const PlaneFit& inner) {
 }
 
 }  // namespace
+
+bool is_large(const Surface& surface) { return surface.positions.size() >= 2 * kEnoughForSharing; }
 
 std::vector<uint8_t> points_off_border(const SegmentScene& scene, const Surface& surface,
                                        Task& task) {
@@ -205,20 +209,35 @@ bool bends(const SegmentScene& scene, const Surface& surface, const PlaneFit& fi
          std::fabs(bend.curvature) - 1 / radius > kBendSigmas * bend.sigma;
 }
 
+// While points are shared out, every so many-th of a large surface's tells its plane well enough.
+Surface thinned(const Surface& surface) {
+  Surface out = surface.without_points();
+  const size_t step = surface.positions.size() / kEnoughForSharing;
+  for (size_t i = 0; i < surface.positions.size(); i += step)
+    out.positions.push_back(surface.positions[i]);
+  out.pixel_m *= std::sqrt(static_cast<double>(step));  // as many points a pixel
+  return out;
+}
+
+bool refit_to(const SegmentScene& scene, const Surface& surface, Task& task, PlaneFit& fit) {
+  if (is_large(surface)) return refit_to(scene, thinned(surface), task, fit);
+  return fit_core(scene, surface, task, fit) && wide_enough(scene.settings, fit) &&
+         !too_rough(scene.settings, fit.sigma) && !bends(scene, surface, fit, task);
+}
+
 // The plane, its sigma and its area anew from the surface's points; false when it is none any more.
 bool refit_plane(const SegmentScene& scene, Surface& surface, Task& task) {
   const SurfaceSettings& settings = scene.settings;
   PlaneFit fit;
-  const bool good = surface.positions.size() >= std::max<size_t>(3, settings.min_points) &&
-                    fit_core(scene, surface, task, fit) && wide_enough(settings, fit) &&
-                    !too_rough(settings, fit.sigma) && !bends(scene, surface, fit, task);
-  if (!good) return false;
+  if (surface.positions.size() < std::max<size_t>(3, settings.min_points) ||
+      !refit_to(scene, surface, task, fit))
+    return false;
   surface.plane = fit.plane;
   surface.sigma_m = fit.sigma;
   const FlatFrame frame = plane_frame(surface.plane, scene.local(surface.positions[0]));
   const auto at = [&](size_t i) { return frame(scene.local(surface.positions[i])); };
-  surface.area_m2 =
-      occupied_area_m2(bounded_raster_of(surface.positions.size(), at, surface.pixel_m, 0, task));
+  surface.image = bounded_raster_of(surface.positions.size(), at, surface.pixel_m, 1, task);
+  surface.area_m2 = occupied_area_m2(surface.image);
   return surface.area_m2 >= settings.min_area_m2;
 }
 

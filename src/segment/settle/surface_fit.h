@@ -10,8 +10,11 @@
 
 namespace jalon {
 
-/// Plane and sigma of each surface from its points; area from its raster. Surfaces that fall below the minimum are
-/// dropped, their points set free; returns true when one was.
+/// A surface of so many points that a part of them tells its plane well enough while points are shared out.
+bool is_large(const Surface& surface);
+
+/// Plane and sigma of each surface from its points, or from a part of many; area from its raster. Surfaces that fall
+/// below the minimum are dropped, their points set free; returns true when one was.
 bool refit_surfaces(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 
 /// For each point of the surface whether it lies away from its border; empty where its fit does not ask.

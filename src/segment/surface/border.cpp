@@ -14,6 +14,8 @@ namespace {
 constexpr size_t kBorderPointsPerChunk = 1 << 12;
 constexpr unsigned kBorderSectors = 8;
 constexpr unsigned kEmptySideBySide = 3;
+// Every so many-th of the points around is looked at first: most points lie within a surface, and as many close it.
+constexpr uint32_t kGlance = 5;
 
 unsigned sector_of(double u, double v) {
   const unsigned steep = std::fabs(v) > std::fabs(u) ? 1 : 0;
@@ -51,14 +53,14 @@ class Grid {
     for (const Vec2& p : points) sorted_[next[row(p.v) * columns_ + column(p.u)]++] = p;
   }
 
-  /// Until f says that it knows enough.
+  /// Every step-th of the points around, until f says that it knows enough.
   template <class F>
-  void near(const Vec2& p, F&& f) const {
+  void near(const Vec2& p, uint32_t step, F&& f) const {
     const size_t c = column(p.u), r = row(p.v);
     for (size_t j = r == 0 ? 0 : r - 1; j <= std::min(r + 1, rows_ - 1); ++j) {
       const size_t first = j * columns_ + (c == 0 ? 0 : c - 1),
                    last = j * columns_ + std::min(c + 1, columns_ - 1);
-      for (uint32_t i = starts_[first]; i < starts_[last + 1]; ++i)
+      for (uint32_t i = starts_[first]; i < starts_[last + 1]; i += step)
         if (f(sorted_[i])) return;
     }
   }
@@ -89,14 +91,16 @@ std::vector<uint8_t> border_points(std::span<const Vec2> points, double margin_m
     for (size_t i = begin; i < end; ++i) {
       unsigned filled = 0;
       bool open = true;
-      grid.near(points[i], [&](const Vec2& q) {
+      const auto look_at = [&](const Vec2& q) {
         const double u = q.u - points[i].u, v = q.v - points[i].v, d2 = u * u + v * v;
         if (!(d2 > near2 && d2 <= far2)) return false;
         const unsigned with = filled | 1u << sector_of(u, v);
         if (with == filled) return false;
         filled = with;
         return !(open = has_open_side(filled));
-      });
+      };
+      grid.near(points[i], kGlance, look_at);
+      if (open) grid.near(points[i], 1, look_at);
       out[i] = open;
     }
   });

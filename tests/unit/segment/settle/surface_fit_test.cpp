@@ -49,6 +49,23 @@ TEST_CASE("surface_fit__refit_takes_plane_sigma_and_area_from_the_points") {
   CHECK(surfaces[0].sigma_m == doctest::Approx(0.005).epsilon(0.06).scale(0));
 }
 
+TEST_CASE("surface_fit__refit_of_many_points_is_by_a_part_of_them_and_as_true") {
+  const Scene scene = wall(140000);
+  MadeScene made(scene.points);
+  auto surfaces = made.surfaces(scene.faces, 1);
+  REQUIRE(is_large(surfaces[0]));
+  const Plane by_all = surfaces[0].plane;
+  surfaces[0].plane.offset += 0.002;
+  CHECK_FALSE(refit_surfaces(made.scene, surfaces, made.task));
+  REQUIRE(surfaces.size() == 1);
+  CHECK(surfaces[0].positions.size() == 140000);
+  CHECK(surfaces[0].area_m2 == doctest::Approx(9.61));  // 31 x 31 pixels
+  CHECK(surfaces[0].sigma_m == doctest::Approx(0.005).epsilon(0.02).scale(0));
+  const Vec3 middle = Vec3{1.5, 0, 1.5} - made.scene.origin;
+  CHECK(std::fabs(surfaces[0].plane.distance(middle) - by_all.distance(middle)) <
+        4 * 0.005 / std::sqrt(65536.0));
+}
+
 TEST_CASE("surface_fit__refit_drops_what_is_small_rough_or_bent_and_frees_its_points") {
   Scene scene = wall(3000);
   RandomStream random(3, 7);
