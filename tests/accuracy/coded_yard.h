@@ -103,6 +103,8 @@ inline double source_share(const Vec3& in_scene, uint8_t given_class) {
   return 1;
 }
 
+constexpr double kGlassReturn = 0.05;  // of panes, as the scene is told
+
 /// A yard, scanned, with its code lists and the class of each point.
 struct CodedYard {
   CloudPtr cloud;
@@ -110,7 +112,7 @@ struct CodedYard {
   std::string survey, targets;
 
   CodedYard(const YardSettings& yard, uint64_t seed, double spacing_m,
-            YardDensity density = YardDensity::kEven) {
+            YardDensity density = YardDensity::kEven, double glass_return = kGlassReturn) {
     SceneSettings scene{.name = SceneName::kYard, .seed = seed};
     scene.yard = yard;
     Task task;
@@ -119,7 +121,7 @@ struct CodedYard {
     sample.spacing_m = spacing_m;
     sample.noise_m = 0.002;
     sample.seed = seed;
-    sample.surfaces.glass_return_min = sample.surfaces.glass_return_max = 0.05;
+    sample.surfaces.glass_return_min = sample.surfaces.glass_return_max = glass_return;
     // Targets are as dense as the source's cloud, 60 000 points/m2; gutters are grown in steps of 2 cm.
     sample.densities = "ground=0.3,target=" + jalon::text_of(60000 * spacing_m * spacing_m);
     if (yard.zone != YardZone::kComplete)

@@ -152,6 +152,26 @@ TEST_CASE("coded_yard__targets_at_the_outer_corners_find_more_of_the_windows") {
   CHECK(by_corners.recall(3) > by_panes.recall(3));
 }
 
+TEST_CASE("coded_yard__panes_that_return_are_improved_windows_and_doors_too") {
+  // Dusty, tinted, with a curtain behind: more points than the frames have.
+  for (const double glass_return : {0.3, 1.0}) {
+    const CodedYard yard(zone_of(YardZone::kFacades), 1,
+                         is_full() ? kFullSpacing_m : kShortSpacing_m, YardDensity::kEven,
+                         glass_return);
+    for (const bool is_survey : {true, false}) {
+      const ClassFigures figures =
+          is_survey ? by_survey(yard, CodeForm::kImproved) : by_targets(yard, CodeForm::kImproved);
+      CAPTURE(glass_return);
+      CAPTURE(is_survey);
+      MESSAGE("FIGURE codes, facades, panes that return " << glass_return << ": "
+                                                          << figures.text());
+      CHECK(figures.f1(2) > 0.95);
+      CHECK(figures.f1(3) > 0.93);
+      CHECK(figures.counts[2][3] + figures.counts[3][2] == 0);
+    }
+  }
+}
+
 TEST_CASE("coded_yard__a_shifted_gutter_point_is_warned_of_by_name") {
   YardSettings settings = zone_of(YardZone::kFacades);
   for (const double shift_m : {0.0, 0.03}) {

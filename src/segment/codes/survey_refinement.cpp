@@ -118,9 +118,12 @@ class Refinement {
 
   // Beside its corners or its outline by the margin at most.
   bool is_beside(const CodedObject& object, const OpeningPlane& plane, const Vec3& p) const {
+    return is_within(object, plane, p, settings_.opening_margin_m);
+  }
+  static bool is_within(const CodedObject& object, const OpeningPlane& plane, const Vec3& p,
+                        double margin) {
     const CodeShape& s = object.shape;
-    const double margin = settings_.opening_margin_m, u = plane.of(p).u,
-                 width = norm(in_plan(s.corner_b - s.corner_a));
+    const double u = plane.of(p).u, width = norm(in_plan(s.corner_b - s.corner_a));
     if (s.kind == CodeShape::Kind::kOutline)
       return contains(s.polygon, Vec2{u, p.z}) || border_distance(s.polygon, Vec2{u, p.z}) < margin;
     return u > -margin && u < width + margin && p.z > s.low_m - margin && p.z < s.high_m + margin;
@@ -158,22 +161,24 @@ class Refinement {
              std::vector<uint32_t>& object_of_point) {
     const CodedObject& object = objects_.objects[k];
     const OpeningPlane plane = plane_of_opening(object);
-    std::vector<Vec3> flat;
+    std::vector<Vec3> flat, inner;  // in the margin stands the wall
     std::vector<uint32_t> kept;
     for (const uint32_t i : points)
       if (is_beside(object, plane, local(i))) {
         kept.push_back(i);
         const Vec2 at = plane.of(local(i));
         flat.push_back({at.u, at.v, local(i).z});
+        if (is_within(object, plane, local(i), 0)) inner.push_back(flat.back());
       }
     OpeningFront front;
-    if (!find_opening_front(flat, front)) return;
+    if (!find_opening_front(inner, front)) return;
     const OpeningSides sides(flat, front, ends_of(object));
     const auto number = static_cast<uint32_t>(k + 1);
+    const double depth = depth_behind(front, object.row.distance_m);
     for (size_t j = 0; j < kept.size(); ++j) {
       const double before = flat[j].y - front.before(flat[j].x);
       const double most = plane.has_outside ? kBeforeFront_m : object.row.distance_m;
-      const bool is_its = before < most && before > -object.row.distance_m &&
+      const bool is_its = before < most && before > -depth &&
                           !(plane.has_outside && sides.is_reveal(flat[j], front));
       uint32_t& owner = object_of_point[kept[j]];
       if (is_its) owner = number;

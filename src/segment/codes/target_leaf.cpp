@@ -15,6 +15,7 @@ constexpr double kDepthStep_m = 0.005;
 constexpr int kFarthestBefore = 8,
               kFarthestBehind = 2;                     // steps: targets stick on panes 2 cm behind
 constexpr double kNarrowest_m = 0.5, kLowest_m = 1.5;  // doors
+constexpr double kDeepestPanel_m = 0.04;  // behind the front: panes and panels are the leaf's
 constexpr int kLeafRounds = 2;
 
 // Cells of the plane about the target: points at a front less those before or behind it.
@@ -69,7 +70,9 @@ class Votes {
     for (const Vec3& p : points_) {
       const size_t s = cell_of(p.x - target_.u), z = cell_of(p.z - target_.v);
       if (s == side_ || z == side_) continue;
-      votes_[z * side_ + s] += std::fabs(p.y - front.before(p.x)) < kLeafNoise_m ? 1 : -1;
+      const double before = p.y - front.before(p.x);
+      if (std::fabs(before) < kLeafNoise_m) votes_[z * side_ + s] += 1;
+      else if (before > 0 || before < -kDeepestPanel_m) votes_[z * side_ + s] -= 1;
       ++all[z * side_ + s];
     }
     // A target is scanned densely and is but a few cells.

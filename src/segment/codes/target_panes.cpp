@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kApart_m = 0.15;  // of frames along a facade: a narrow pier
 constexpr double kSoughtIn =
-    1.5;  // times the distance about a target's plane: where its front may be
+    2;  // times the distance about a target's plane: where its front may be
 
 // How far two targets of a facade may lie off their common plane, and the cosine of 20 degrees between it and the patch
 // of 10 cm at each.
@@ -102,11 +102,12 @@ void add_at_front(TargetScene& scene, const PaneFrame& frame, std::span<const Ve
   FoundOpening found;
   found.plane = frame.plane, found.along = frame.along, found.outside = frame.outside;
   if (!find_opening_front(flat, found.front)) return;
+  const double depth = depth_behind(found.front, distance_m);
   std::vector<double> places, heights;
   std::vector<size_t> its;
   for (size_t k = 0; k < points.size(); ++k) {
     const double before = flat[k].y - found.front.before(flat[k].x);
-    if (before < kBeforeFront_m && before > -distance_m) its.push_back(k);
+    if (before < kBeforeFront_m && before > -depth) its.push_back(k);
     if (std::fabs(before) > kLeafNoise_m) continue;
     places.push_back(flat[k].x);
     heights.push_back(flat[k].z);
@@ -120,6 +121,18 @@ void add_at_front(TargetScene& scene, const PaneFrame& frame, std::span<const Ve
                            {found.left_m, found.right_m, found.low_m, found.high_m});
   for (const size_t k : its)
     if (!sides.is_reveal(flat[k], found.front)) out.push_back(points[k]);
+}
+
+// Whether what lies along the plane is left of an opening that was found: a door's, beside windows.
+bool is_found(const TargetScene& scene, const PaneFrame& frame, std::span<const Vec3> flat) {
+  const double middle = (flat.front().x + flat.back().x) / 2;
+  return std::any_of(scene.openings.begin(), scene.openings.end(), [&](const FoundOpening& o) {
+    const Vec3 place = o.along * ((o.left_m + o.right_m) / 2) + o.plane.normal * o.plane.offset;
+    const double half = (o.right_m - o.left_m) / 2;
+    return std::fabs(dot(o.along, frame.along)) > kOneFacadeCosine &&
+           std::fabs(frame.plane.distance(place)) < kAboutWall_m &&
+           std::fabs(middle - dot(place, frame.along)) < half;
+  });
 }
 
 // Form "improved": the points about a plane, apart where nothing lies along it, each group by its own front: windows of
@@ -139,7 +152,7 @@ std::vector<uint32_t> at_fronts(TargetScene& scene, const PaneFrame& frame, doub
       if (!flat.empty() && p.x - flat.back().x > kApart_m) break;
       flat.push_back(p);
     }
-    if (flat.back().x < low || flat.front().x > high) continue;
+    if (flat.back().x < low || flat.front().x > high || is_found(scene, frame, flat)) continue;
     add_at_front(scene, frame, flat, std::span(points).subspan(first, end - first), distance_m,
                  out);
   }

@@ -36,7 +36,48 @@ std::vector<Vec3> frame_and_reveals(uint64_t seed) {
   return points;
 }
 
+/// A frame 8 cm wide about a pane of 1.2 x 1.0 m `pane_m` behind it that returns `returns` of its pulses, the reveals
+/// before it.
+std::vector<Vec3> window(uint64_t seed, double pane_m, double returns) {
+  constexpr int kPoints = 6000;
+  RandomStream random(seed, 0);
+  std::vector<Vec3> points;
+  for (int i = 0; i < kPoints; ++i) {
+    const Vec3 p{1.2 * random.uniform(), 0.002 * random.normal(), random.uniform()};
+    const bool is_pane = p.x > 0.08 && p.x < 1.12 && p.z > 0.08 && p.z < 0.92;
+    if (is_pane && random.uniform() > returns) continue;
+    points.push_back({p.x, p.y - (is_pane ? pane_m : 0), p.z});
+  }
+  for (int i = 0; i < kPoints / 6; ++i)
+    points.push_back({i % 2 == 0 ? 0.0 : 1.2, 0.1 * random.uniform(), random.uniform()});
+  return points;
+}
+
 }  // namespace
+
+TEST_CASE("opening_front__is_that_of_the_frame_however_much_the_pane_behind_it_returns") {
+  for (uint64_t seed = 1; seed <= 5; ++seed)
+    for (const double pane_m : {0.02, 0.03, 0.04})
+      for (const double returns : {0.0, 0.3, 1.0}) {
+        CAPTURE(pane_m);
+        CAPTURE(returns);
+        OpeningFront front;
+        REQUIRE(find_opening_front(window(seed, pane_m, returns), front));
+        CHECK(std::fabs(front.before(0.6)) < 0.0015);
+        if (returns > 0) CHECK(std::fabs(front.pane_m - pane_m) < 0.008);
+        else CHECK(front.pane_m == 0);
+      }
+}
+
+TEST_CASE("opening_front__a_blind_far_behind_is_no_pane") {
+  OpeningFront front;
+  REQUIRE(find_opening_front(window(1, 0.07, 1), front));
+  CHECK(std::fabs(front.before(0.6)) < 0.0015);
+  CHECK(front.pane_m == 0);
+  CHECK(depth_behind(front, 0.03) == 0.03);
+  front.pane_m = 0.04;
+  CHECK(depth_behind(front, 0.03) > 0.04);
+}
 
 TEST_CASE("opening_front__is_that_of_the_frame_and_not_of_reveals_or_panes") {
   for (uint64_t seed = 1; seed <= 20; ++seed) {

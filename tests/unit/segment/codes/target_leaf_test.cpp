@@ -16,9 +16,10 @@ namespace {
 
 constexpr double kRadius_m = 2;
 
-/// A leaf of 0.9 x 2.1 m at depth 0 about the target at (0, 0.5), with a pane that returns little 2 cm behind it, in a
+/// A leaf of 0.9 x 2.1 m at depth 0 about the target at (0, 0.5), with a pane 2 cm behind it, in a
 /// wall whose waves of 5 cm stand about a plane `wall_m` before it; waves_m = 0: an even wall.
-std::vector<Vec3> leaf_in_wall(uint64_t seed, double wall_m, double waves_m, int points) {
+std::vector<Vec3> leaf_in_wall(uint64_t seed, double wall_m, double waves_m, int points,
+                               double pane_returns = 0.05) {
   RandomStream random(seed, 0);
   std::vector<Vec3> out;
   for (int i = 0; i < points; ++i) {
@@ -27,7 +28,7 @@ std::vector<Vec3> leaf_in_wall(uint64_t seed, double wall_m, double waves_m, int
     if (std::fabs(s) >= 0.45 || z >= 2.1)
       out.push_back({s, wall_m + waves_m * std::sin(2 * std::numbers::pi * s / 0.2) + noise, z});
     else if (std::fabs(s) >= 0.28 || std::fabs(z - 1.05) >= 0.65) out.push_back({s, noise, z});
-    else if (random.uniform() < 0.05) out.push_back({s, -0.02 + noise, z});
+    else if (random.uniform() < pane_returns) out.push_back({s, -0.02 + noise, z});
   }
   for (int i = 0; i < 600; ++i)
     out.push_back({0.1 * random.uniform() - 0.05, -0.018 + 0.002 * random.normal(),
@@ -52,6 +53,16 @@ TEST_CASE("target_leaf__is_found_in_waves_that_stand_before_it_and_about_it") {
         }
         CHECK(std::fabs(leaf.high_m - 2.1) < 0.08);
       }
+}
+
+TEST_CASE("target_leaf__its_pane_or_panel_may_return_all") {
+  for (const double wall_m : {0.01, 0.02}) {
+    TargetLeaf leaf;
+    REQUIRE(find_leaf(leaf_in_wall(1, wall_m, 0.025, 60000, 1), {0, 0.5}, kRadius_m, leaf));
+    CHECK(std::fabs(leaf.front.before(0)) < 0.002);
+    CHECK(std::fabs(leaf.high_m - 2.1) < 0.08);
+    CHECK(leaf.right_m - leaf.left_m > 0.8);
+  }
 }
 
 TEST_CASE("target_leaf__there_is_none_in_a_wall_as_even_as_itself_or_without_points") {
