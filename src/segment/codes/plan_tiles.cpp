@@ -15,11 +15,6 @@ constexpr double kTile_m = 0.5;      // about a window
 constexpr double kMostTiles = 1024;  // along a side: 8 MB of them at most
 constexpr size_t kTilePointsPerChunk = 1 << 16;
 
-size_t step_of(double at, double low, double step, size_t steps) {
-  const double k = (at - low) / step;
-  return k > 0 ? std::min(static_cast<size_t>(k), steps - 1) : 0;
-}
-
 // Coordinates may differ by more than a double holds.
 size_t steps_over(double size, double step) {
   return std::isfinite(step) ? static_cast<size_t>(size / step) + 1 : 1;
@@ -49,22 +44,8 @@ PlanTiles::PlanTiles(const Cloud& cloud, const Vec3& origin, Task& task) {
 }
 
 size_t PlanTiles::tile_of(const Vec3& p) const {
-  return step_of(p.y, low_.v, tile_m_, rows_) * columns_ + step_of(p.x, low_.u, tile_m_, columns_);
-}
-
-std::vector<uint32_t> PlanTiles::points_about(const Vec2& place, double radius_m) const {
-  std::vector<uint32_t> out;
-  if (columns_ == 0) return out;
-  const size_t left = step_of(place.u - radius_m, low_.u, tile_m_, columns_),
-               right = step_of(place.u + radius_m, low_.u, tile_m_, columns_),
-               top = step_of(place.v + radius_m, low_.v, tile_m_, rows_);
-  for (size_t row = step_of(place.v - radius_m, low_.v, tile_m_, rows_); row <= top; ++row) {
-    const auto from = static_cast<std::ptrdiff_t>(first_[row * columns_ + left]);
-    const auto to = static_cast<std::ptrdiff_t>(first_[row * columns_ + right + 1]);
-    out.insert(out.end(), members_.begin() + from, members_.begin() + to);
-  }
-  std::sort(out.begin(), out.end());
-  return out;
+  return plan_step(p.y, low_.v, tile_m_, rows_) * columns_ +
+         plan_step(p.x, low_.u, tile_m_, columns_);
 }
 
 }  // namespace jalon

@@ -145,9 +145,8 @@ std::vector<uint32_t> on_pipe(const TargetScene& scene, const std::vector<uint32
   const auto side = [&](const Vec3& p) {
     return dot(in_plan(p) - fit.circle.centre, outward) / fit.circle.radius;
   };
-  std::vector<uint32_t> on = free_among(
-      scene, scene.tiles.points_about(fit.circle.centre, fit.circle.radius + kOnCircle_m),
-      [&](const Vec3& p) {
+  std::vector<uint32_t> on =
+      free_about(scene, fit.circle.centre, fit.circle.radius + kOnCircle_m, [&](const Vec3& p) {
         return std::fabs(fit.circle.distance(in_plan(p))) < kOnCircle_m && side(p) > kSide;
       });
   std::vector<double> heights;
@@ -177,11 +176,10 @@ void take_gutters(TargetScene& scene, Task& task) {
   std::vector<uint32_t> all;
   for (const uint32_t number : numbers) {
     const Vec3 place = target(number);
-    std::vector<uint32_t> about =
-        free_among(scene, scene.tiles.points_about(in_plan(place), reach), [&](const Vec3& p) {
-          const Vec2 d = in_plan(p - place);
-          return dot(d, d) < reach * reach;
-        });
+    std::vector<uint32_t> about = free_about(scene, in_plan(place), reach, [&](const Vec3& p) {
+      const Vec2 d = in_plan(p - place);
+      return dot(d, d) < reach * reach;
+    });
     if (about.empty()) continue;
     if (!scene.is_improved()) {
       all.insert(all.end(), about.begin(), about.end());

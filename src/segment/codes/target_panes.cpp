@@ -167,19 +167,18 @@ std::vector<uint32_t> opening_points(TargetScene& scene, const CodedObject& obje
       scene.is_improved() ? wall_before(scene, plane, scene.place(object.points.front())) : nullptr;
   const double distance = object.row.distance_m;
   if (wall == nullptr)
-    return free_among(
-        scene, scene.tiles.points_about(range.middle(), range.reach_m() + range.beyond_m),
-        [&](const Vec3& p) { return std::fabs(plane.distance(p)) < distance && keep(p); });
+    return free_about(scene, range.middle(), range.reach_m() + range.beyond_m, [&](const Vec3& p) {
+      return std::fabs(plane.distance(p)) < distance && keep(p);
+    });
   const PaneFrame frame = frame_before(*wall, plane, scene.place(object.points.front()));
   const std::pair<double, double> ends = range.along(frame.along);
   std::vector<uint32_t> points =
-      free_among(scene, scene.tiles.points_about(range.middle(), range.reach_m() + range.beyond_m),
-                 [&](const Vec3& p) {
-                   const double at = dot(p, frame.along);
-                   return std::fabs(frame.plane.distance(p)) < distance * kSoughtIn &&
-                          p.z > range.low_m && p.z < range.high_m &&
-                          at > ends.first - range.beyond_m && at < ends.second + range.beyond_m;
-                 });
+      free_about(scene, range.middle(), range.reach_m() + range.beyond_m, [&](const Vec3& p) {
+        const double at = dot(p, frame.along);
+        return std::fabs(frame.plane.distance(p)) < distance * kSoughtIn && p.z > range.low_m &&
+               p.z < range.high_m && at > ends.first - range.beyond_m &&
+               at < ends.second + range.beyond_m;
+      });
   return at_fronts(scene, frame, distance, std::move(points), range);
 }
 

@@ -55,8 +55,7 @@ void take_reveals(TargetScene& scene, Task& task) {
       if (is_about(o, at, p.z)) return o.outside * o.plane.distance(p) > o.front.before(at);
       return p.z > o.high_m && p.z <= wall->high_m && off > -scene.settings.wall_distance_m;
     };
-    for (const uint32_t i :
-         free_among(scene, scene.tiles.points_about(in_plan(middle), reach), is_wall))
+    for (const uint32_t i : free_about(scene, in_plan(middle), reach, is_wall))
       scene.owner[i] = wall->object;
   }
 }

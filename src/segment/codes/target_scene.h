@@ -62,9 +62,9 @@ std::optional<Plane> plane_of(const TargetScene& scene, const std::vector<uint32
 /// Indices, ascending, of the points without an object that keep(local point) takes.
 template <class Keep>
 std::vector<uint32_t> free_points(const TargetScene& scene, Keep&& keep, Task& task);
-/// The same among given ones.
+/// The same in the tiles that a circle in plan meets.
 template <class Keep>
-std::vector<uint32_t> free_among(const TargetScene& scene, std::vector<uint32_t> points,
+std::vector<uint32_t> free_about(const TargetScene& scene, const Vec2& place, double radius_m,
                                  Keep&& keep);
 void warn_of_target(TargetScene& scene, const CodedObject& object, std::string text);
 
@@ -102,10 +102,10 @@ std::vector<uint32_t> free_points(const TargetScene& scene, Keep&& keep, Task& t
 }
 
 template <class Keep>
-std::vector<uint32_t> free_among(const TargetScene& scene, std::vector<uint32_t> points,
+std::vector<uint32_t> free_about(const TargetScene& scene, const Vec2& place, double radius_m,
                                  Keep&& keep) {
-  std::erase_if(points, [&](uint32_t i) { return scene.owner[i] != 0 || !keep(scene.local(i)); });
-  return points;
+  return scene.tiles.points_about(
+      place, radius_m, [&](uint32_t i) { return scene.owner[i] == 0 && keep(scene.local(i)); });
 }
 
 }  // namespace jalon

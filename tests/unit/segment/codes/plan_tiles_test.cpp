@@ -25,6 +25,9 @@ TEST_CASE("plan_tiles__hold_what_a_circle_meets_in_ascending_order") {
     const std::vector<uint32_t> found = tiles.points_about(place, 1.3);
     CHECK(std::is_sorted(found.begin(), found.end()));
     CHECK(found.size() < points.size() / 2);
+    std::vector<uint32_t> even = found;
+    std::erase_if(even, [](uint32_t i) { return i % 2 != 0; });
+    CHECK(tiles.points_about(place, 1.3, [](uint32_t i) { return i % 2 == 0; }) == even);
     for (uint32_t i = 0; i < points.size(); ++i)
       if (norm(in_plan(points[i] - origin) - place) < 1.3)
         CHECK(std::binary_search(found.begin(), found.end(), i));

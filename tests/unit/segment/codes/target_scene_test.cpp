@@ -31,5 +31,6 @@ TEST_CASE("target_scene__a_patch_has_the_free_points_within_its_radius_and_a_pla
   CHECK(free_points(
             scene, [](const Vec3&) { return true; }, task)
             .size() == cloud->size() - 1);
-  CHECK(free_among(scene, patch, [](const Vec3&) { return true; }).size() == patch.size() - 1);
+  const auto is_patch = [&](const Vec3& p) { return norm(p - target.position) <= 0.05; };
+  CHECK(free_about(scene, {1.5, 0.12}, 0.05, is_patch).size() == patch.size() - 1);
 }
