@@ -302,29 +302,23 @@ bool ends_at(const WallEvidence& wall, const OpeningCandidate& opening, const Wa
          is_hidden_by(wall.cells, opening.shape, other.cells);
 }
 
-void end_at_other_walls(std::vector<WallEvidence>& all, const std::vector<size_t>& order,
-                        Task& task) {
-  for (const size_t s : order) {
-    if (!all[s].is_wall()) continue;
-    for (OpeningCandidate& opening : all[s].openings) {
-      task.checkpoint(0);
-      if (!opening.is_opening) continue;
-      for (const size_t w : order)
-        if (w != s && all[w].is_wall() && all[w].has_framed_openings() &&
-            dot(all[w].cells.frame.normal, all[s].cells.frame.normal) >= kSameWay &&
-            ends_at(all[s], opening, all[w]))
-          opening.is_opening = false, opening.ends_at_wall = true;
-    }
+void end_at(WallEvidence& wall, const std::vector<const WallEvidence*>& others, Task& task) {
+  for (OpeningCandidate& opening : wall.openings) {
+    task.checkpoint(0);
+    if (!opening.is_opening) continue;
+    opening.ends_at_wall = std::any_of(others.begin(), others.end(), [&](const auto* other) {
+      return other != &wall && other->is_wall() && other->has_framed_openings() &&
+             dot(other->cells.frame.normal, wall.cells.frame.normal) >= kSameWay &&
+             ends_at(wall, opening, *other);
+    });
+    opening.is_opening = !opening.ends_at_wall;
   }
 }
 
-void forget(std::vector<WallEvidence>& all) {
-  for (WallEvidence& plane : all) {
-    plane.role = PlaneRole::kWall;
-    for (OpeningCandidate& opening : plane.openings) {
-      opening.is_opening = opening.is_opening || opening.ends_at_wall;
-      opening.ends_at_wall = false;
-    }
+void forget_ends(WallEvidence& plane) {
+  for (OpeningCandidate& opening : plane.openings) {
+    opening.is_opening = opening.is_opening || opening.ends_at_wall;
+    opening.ends_at_wall = false;
   }
 }
 
@@ -350,7 +344,10 @@ bool is_filling_at(const WallEvidence& wall, const Vec3& p, bool by_border) {
 }
 
 void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task& task) {
-  forget(all);
+  for (WallEvidence& plane : all) {
+    plane.role = PlaneRole::kWall;
+    forget_ends(plane);
+  }
   // 1. Rooms.
   tell_rooms(all, task);
   // 2. Surrounds, panes and leaves.
@@ -368,7 +365,10 @@ void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task
       task.checkpoint(0);
       plane.role = role_of(placement_of(plane, *parallel[w]), plane, setting);
     }
-    if (plane.is_wall()) walls.push_back(&plane);
+    if (!plane.is_wall()) continue;
+    // Surrounds in the place of a wall that explains more are not what fills this one's openings.
+    end_at(plane, walls, task);
+    walls.push_back(&plane);
   }
   // 3. Rooms whose windows leave little of the wall before them.
   std::vector<const WallEvidence*> panes;
@@ -379,7 +379,9 @@ void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task
     if (all[s].is_wall() && is_behind_panes(all[s], panes)) all[s].role = PlaneRole::kInside;
   }
   // 4. Where one wall ends and another begins.
-  end_at_other_walls(all, order, task);
+  for (const size_t s : order) forget_ends(all[s]);
+  for (const size_t s : order)
+    if (all[s].is_wall()) end_at(all[s], walls, task);
 }
 
 }  // namespace jalon

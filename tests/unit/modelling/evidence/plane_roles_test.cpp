@@ -77,6 +77,22 @@ TEST_CASE("tell_roles__surrounds_of_two_houses_do_not_make_panes_of_the_walls_be
   CHECK(evidence[1].role == PlaneRole::kWall);
 }
 
+TEST_CASE("tell_roles__surrounds_of_a_house_are_none_of_what_fills_the_frame_of_cornices_about_it") {
+  // Cornice, base course and gutters, in one plane, border the house like an opening as large as it.
+  std::vector<Vec3> frame, surrounds;
+  add_layer(frame, 6, 6, 6, 0.9, -0.04);
+  for (const double gutter : {5.9, 12.0}) add_layer(frame, gutter, -0.05, 0.1, 2, -0.04);
+  add_layer(frame, 6, -0.05, 6, 0.05, -0.04);
+  for (const double window : {1.0, 3.5}) {
+    add_layer(surrounds, 6 + window - 0.2, 0.8, 1.6, 2, 0.08);
+    cut(surrounds, 6 + window, 1, 1.2, 1.6);
+  }
+  const auto evidence = evidence_of({house(6, 0.12), frame, surrounds});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(openings_of(evidence[0]) == 2);
+  CHECK(evidence[2].role == PlaneRole::kRelief);
+}
+
 TEST_CASE("tell_roles__panes_of_one_depth_in_several_houses_fill_their_windows") {
   std::vector<Vec3> panes;
   for (const double left : {0.0, 6.0})
