@@ -77,7 +77,8 @@ TEST_CASE("tell_roles__surrounds_of_two_houses_do_not_make_panes_of_the_walls_be
   CHECK(evidence[1].role == PlaneRole::kWall);
 }
 
-TEST_CASE("tell_roles__surrounds_of_a_house_are_none_of_what_fills_the_frame_of_cornices_about_it") {
+TEST_CASE(
+    "tell_roles__surrounds_of_a_house_are_none_of_what_fills_the_frame_of_cornices_about_it") {
   // Cornice, base course and gutters, in one plane, border the house like an opening as large as it.
   std::vector<Vec3> frame, surrounds;
   add_layer(frame, 6, 6, 6, 0.9, -0.04);

@@ -52,6 +52,24 @@ TEST_CASE("surface_noise_m__shape_is_no_noise_and_a_volume_has_none") {
   CHECK(noise_of(volume) == 0);
 }
 
+TEST_CASE("surface_noise_m__posts_and_bays_of_a_coarse_scan_are_shape") {
+  // Bays 1.2 m wide between posts 0.3 m before them, points 0.15 m apart: wide neighbourhoods hold both.
+  for (const double sigma_m : {0.0075, 0.02}) {
+    CAPTURE(sigma_m);
+    Scene scene;
+    RandomStream random(8, 7);
+    for (int i = 0; i < 40; ++i)
+      for (int k = 0; k < 12; ++k) {
+        const double x = 1.6 * i, z = 1.6 * k;
+        const double deep = (i + k) % 3 * 0.1;
+        scene.rectangle(1, {x, deep, z}, {1.2, 0, 0}, {0, 0, 1.2}, 64, sigma_m, random);
+        scene.rectangle(2, {x + 1.2, -0.3, z}, {0.4, 0, 0}, {0, 0, 1.6}, 28, sigma_m, random);
+        scene.rectangle(3, {x, -0.2, z + 1.2}, {1.2, 0, 0}, {0, 0, 0.4}, 21, sigma_m, random);
+      }
+    CHECK(noise_of(scene) == doctest::Approx(sigma_m).epsilon(0.25).scale(0));
+  }
+}
+
 TEST_CASE("surface_noise_m__few_points_and_flat_ones") {
   Scene scene;
   RandomStream random(6, 7);
