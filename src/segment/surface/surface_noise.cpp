@@ -23,8 +23,10 @@ constexpr std::array<uint32_t, 4> kNoiseNeighbours = {32, 128, 512, 2048};
 // turns its plane by less than 1 % of it; the widest ones may be narrower, and the noise is 6 % too small at 3.
 constexpr double kSurfaceWidths = 8, kLeastSurfaceWidths = 3;
 constexpr double kLeastKindShare = 0.1;  // of the neighbourhoods, for a kind to count
-// Round ones: points in lines, as of scanners that draw profiles, are thin whatever the noise.
-constexpr double kLongest = 4;  // widths
+// Neighbourhoods this small lie within panels and bays that are four points wide.
+constexpr uint32_t kLeastNoiseNeighbours = 12;
+// Cosine of 30 degrees: a profile alone is a thin plane of its own, across the surface that it was drawn on.
+constexpr double kFacesAlike = 0.866;
 // Noise of one kind of surfaces differs by less, with distance and material; shape by tens.
 constexpr double kSameNoise = 3;
 constexpr double kUpright = 0.5;  // largest |z| of the normal: within 30 degrees of the vertical
@@ -45,46 +47,52 @@ double quartile_of_variances(double dof) {
   return root * root * root;
 }
 
-/// The neighbourhoods of one kind of surfaces, of one size.
-class KindSpreads {
- public:
-  KindSpreads(const std::vector<Spread>& all, size_t neighbours, bool upright)
-      : least_(kLeastKindShare * static_cast<double>(all.size())),
-        quartile_(quartile_of_variances(static_cast<double>(neighbours) - 3)) {
-    for (const Spread& spread : all)
-      if (spread.upright == upright) spreads_.push_back(spread);
+/// The noise of one kind of surfaces, where neighbourhoods of this size show it; 0: there are hardly any.
+std::optional<double> noise_of_kind(const std::vector<Spread>& all, size_t neighbours, bool upright,
+                                    double widths) {
+  std::vector<double> across, along;
+  for (const Spread& spread : all) {
+    if (spread.upright != upright) continue;
+    across.push_back(spread.across);
+    along.push_back(spread.along);
   }
+  if (across.empty() ||
+      static_cast<double>(across.size()) < kLeastKindShare * static_cast<double>(all.size()))
+    return 0.0;
+  const double variance = value_at(std::move(across), 0.25) /
+                          quartile_of_variances(static_cast<double>(neighbours) - 3);
+  if (value_at(std::move(along), 0.5) < widths * widths * variance) return std::nullopt;
+  return std::sqrt(variance);
+}
 
-  /// The noise where neighbourhoods of this size show it; 0: there are hardly any of the kind.
-  std::optional<double> noise_m(double widths) const {
-    if (spreads_.empty() || static_cast<double>(spreads_.size()) < least_) return 0.0;
-    std::vector<double> across, along;
-    for (const Spread& spread : spreads_) {
-      across.push_back(spread.across);
-      along.push_back(spread.along);
-    }
-    const double variance = value_at(std::move(across), 0.25) / quartile_;
-    if (value_at(std::move(along), 0.5) < widths * widths * variance) return std::nullopt;
-    return std::sqrt(variance);
+/// How thick the surfaces among small neighbourhoods are that face as the wide ones about the same points, of one kind,
+/// do; nothing where those are fewer than a tenth.
+std::optional<double> flat_within(const std::vector<Spread>& small, const std::vector<Spread>& wide,
+                                  bool upright) {
+  size_t of_kind = 0;
+  std::vector<double> across;
+  for (size_t i = 0; i < small.size(); ++i) {
+    if (wide[i].upright != upright) continue;
+    ++of_kind;
+    if (small[i].along >= kSurfaceWidths * kSurfaceWidths * small[i].across &&
+        std::fabs(dot(small[i].normal, wide[i].normal)) >= kFacesAlike)
+      across.push_back(small[i].across);
   }
+  if (across.empty() ||
+      static_cast<double>(across.size()) < kLeastKindShare * static_cast<double>(of_kind))
+    return std::nullopt;
+  return std::sqrt(value_at(std::move(across), 0.5));
+}
 
-  /// How thick those are that are surfaces, if there are enough of them.
-  std::optional<double> flat_m() const {
-    std::vector<double> across;
-    for (const Spread& spread : spreads_)
-      if (spread.along >= kSurfaceWidths * kSurfaceWidths * spread.across &&
-          spread.longest <= kLongest * kLongest * spread.along)
-        across.push_back(spread.across);
-    if (static_cast<double>(spreads_.size()) < least_ || across.empty() ||
-        static_cast<double>(across.size()) < kLeastKindShare * static_cast<double>(spreads_.size()))
-      return std::nullopt;
-    return std::sqrt(value_at(std::move(across), 0.5));
+/// Noise, or that of the smallest neighbourhoods that show it to be shape.
+double without_shape(double noise_m, const std::vector<std::vector<Spread>>& smaller,
+                     const std::vector<Spread>& wide, bool upright) {
+  for (const std::vector<Spread>& small : smaller) {
+    const std::optional<double> flat_m = flat_within(small, wide, upright);
+    if (flat_m) return noise_m > kSameNoise * *flat_m ? *flat_m : noise_m;
   }
-
- private:
-  std::vector<Spread> spreads_;
-  double least_, quartile_;
-};
+  return noise_m;
+}
 
 }  // namespace
 
@@ -102,28 +110,29 @@ std::vector<Spread> neighbourhood_spreads(const Cloud& cloud, const Octree& tree
       const Eigen3 eigen = symmetric_eigen(moments.covariance());
       // covariance() divides by n; least squares leaves n - 3 degrees of freedom.
       const double n = static_cast<double>(found);
+      const Vec3& normal = eigen.vectors[0];
       out[i] = {found > 3 ? std::max(0.0, eigen.values[0]) * n / (n - 3) : 0,
-                std::max(0.0, eigen.values[1]), std::max(0.0, eigen.values[2]),
-                std::fabs(eigen.vectors[0].z) < kUpright};
+                std::max(0.0, eigen.values[1]), std::fabs(normal.z) < kUpright, normal};
     }
   });
   return out;
 }
 
 double surface_noise_m(const Cloud& cloud, const Octree& tree, Task& task) {
-  std::array<std::optional<double>, 2> noise, flat;
+  std::array<std::optional<double>, 2> noise;
+  std::vector<std::vector<Spread>> smaller{
+      neighbourhood_spreads(cloud, tree, kLeastNoiseNeighbours, kNoiseSamples, task)};
   for (const uint32_t k : kNoiseNeighbours) {
-    const std::vector<Spread> all = neighbourhood_spreads(cloud, tree, k, kNoiseSamples, task);
+    std::vector<Spread> all = neighbourhood_spreads(cloud, tree, k, kNoiseSamples, task);
     const bool last = k == kNoiseNeighbours.back() || k >= tree.size();
     for (const bool upright : {false, true}) {
       if (noise[upright]) continue;
-      const KindSpreads kind(all, std::min<size_t>(k, tree.size()), upright);
-      if (!flat[upright]) flat[upright] = kind.flat_m();
-      noise[upright] = kind.noise_m(last ? kLeastSurfaceWidths : kSurfaceWidths);
-      if (noise[upright] && flat[upright] && *noise[upright] > kSameNoise * *flat[upright])
-        noise[upright] = flat[upright];
+      noise[upright] = noise_of_kind(all, std::min<size_t>(k, tree.size()), upright,
+                                     last ? kLeastSurfaceWidths : kSurfaceWidths);
+      if (noise[upright]) noise[upright] = without_shape(*noise[upright], smaller, all, upright);
     }
     if (last || (noise[0] && noise[1])) break;
+    smaller.push_back(std::move(all));
   }
   return std::max(noise[0].value_or(0), noise[1].value_or(0));
 }

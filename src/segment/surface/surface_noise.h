@@ -11,11 +11,11 @@
 
 namespace jalon {
 
-/// The variances of a neighbourhood across it, along its narrower and along its longer side, m^2; is it within 30
-/// degrees of upright?
+/// The variances of a neighbourhood across it and along its narrower side, m^2; is it within 30 degrees of upright?
 struct Spread {
-  double across = 0, along = 0, longest = 0;
+  double across = 0, along = 0;
   bool upright = false;
+  Vec3 normal = {};
 };
 /// Of the k nearest points about so many of the cloud's, evenly along the curve.
 std::vector<Spread> neighbourhood_spreads(const Cloud& cloud, const Octree& tree, uint32_t k,
@@ -24,8 +24,8 @@ std::vector<Spread> neighbourhood_spreads(const Cloud& cloud, const Octree& tree
 /// Standard deviation of the points across the noisiest surfaces that a cloud has much of, upright or level: what is
 /// noise and not shape. Shape (reveals, mouldings, plants) spreads some neighbourhoods, noise all of them; so it is the
 /// spread that three quarters of the neighbourhoods of either kind exceed, in neighbourhoods wide enough to be surfaces
-/// in spite of it. Where a tenth of smaller neighbourhoods are surfaces far less thick, what the wider ones spread by
-/// is shape of less than their width, as posts and bays in a coarse scan, and the noise that of these. 0: there are no
+/// in spite of it. Where a tenth of them hold smaller ones that face alike and are surfaces far less thick, what the wider
+/// ones spread by is shape, as posts and bays in a coarse scan, and the noise that of the smaller. 0: there are no
 /// surfaces. z is up.
 double surface_noise_m(const Cloud& cloud, const Octree& tree, Task& task);
 
