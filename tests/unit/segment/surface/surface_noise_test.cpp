@@ -71,15 +71,17 @@ TEST_CASE("surface_noise_m__posts_and_bays_of_a_coarse_scan_are_shape") {
 }
 
 TEST_CASE("surface_noise_m__a_profile_alone_is_no_surface") {
-  // Upright profiles 0.1 m apart, a point every 10 mm, noise along the beams: a dozen neighbours are of one profile, and
-  // thin across the wall.
+  // Upright profiles 0.1 m apart, noise along the beams. On one metre of fourteen a point every 3 mm: the neighbours there
+  // are of one profile, and thin across the wall.
   constexpr double kNoise_m = 0.03;
   Scene scene;
   RandomStream random(9, 7);
-  for (int profile = 0; profile < 120; ++profile)
-    for (int i = 0; i < 600; ++i)
+  for (int profile = 0; profile < 140; ++profile) {
+    const bool is_dense = profile / 10 % 14 == 3;
+    for (double z = 0; z < 6; z += is_dense ? 0.003 : 0.01)
       scene.points.push_back(
-          {0.1 * profile + 0.001 * random.normal(), kNoise_m * random.normal(), 0.01 * i});
+          {0.1 * profile + 0.001 * random.normal(), kNoise_m * random.normal(), z});
+  }
   CHECK(noise_of(scene) == doctest::Approx(kNoise_m).epsilon(0.15).scale(0));
 }
 
