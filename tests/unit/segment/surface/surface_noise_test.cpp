@@ -71,8 +71,8 @@ TEST_CASE("surface_noise_m__posts_and_bays_of_a_coarse_scan_are_shape") {
 }
 
 TEST_CASE("surface_noise_m__a_profile_alone_is_no_surface") {
-  // Upright profiles 0.1 m apart, noise along the beams. On one metre of fourteen a point every 3 mm: the neighbours there
-  // are of one profile, and thin across the wall.
+  // Upright profiles 0.1 m apart, noise along the beams. On one metre of fourteen a point every 3 mm: the neighbours
+  // there are of one profile, and thin across the wall.
   constexpr double kNoise_m = 0.03;
   Scene scene;
   RandomStream random(9, 7);
