@@ -70,15 +70,12 @@ PoseFilter filter_of(const CoarseSettings& settings, const Transform& T_start,
   };
 }
 
-double score_of_second(const std::vector<RankedPose>& poses) {
-  return poses[1].overlap.score() / poses[0].overlap.score();
-}
-
 // Of the salient places, the share that must look alike: the less, the farther the best pose stands out of the others.
 double least_likeness(const std::vector<RankedPose>& poses, const CoarseSettings& settings) {
   const double whole = settings.min_likeness_percent / 100;
   if (poses.size() < 2 || !(poses[0].overlap.score() > 0)) return whole;
-  return whole * std::min(1.0, score_of_second(poses) / kNoLead);
+  const double second = poses[1].overlap.score() / poses[0].overlap.score();
+  return whole * std::min(1.0, second / kNoLead);
 }
 
 StopReason verdict(const std::vector<RankedPose>& poses, const CoarseSettings& settings) {

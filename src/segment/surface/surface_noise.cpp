@@ -23,6 +23,8 @@ constexpr std::array<uint32_t, 4> kNoiseNeighbours = {32, 128, 512, 2048};
 // turns its plane by less than 1 % of it; the widest ones may be narrower, and the noise is 6 % too small at 3.
 constexpr double kSurfaceWidths = 8, kLeastSurfaceWidths = 3;
 constexpr double kLeastKindShare = 0.1;  // of the neighbourhoods, for a kind to count
+constexpr double kLeastFlatShare =
+    0.05;  // of smaller ones, that show it to be shape: 7 % of insa with 20 mm of noise
 // Neighbourhoods this small lie within panels and bays that are four points wide.
 constexpr uint32_t kLeastNoiseNeighbours = 12;
 // Cosine of 30 degrees: a profile alone is a thin plane of its own, across the surface that it was drawn on.
@@ -65,11 +67,14 @@ std::optional<double> noise_of_kind(const std::vector<Spread>& all, size_t neigh
   return std::sqrt(variance);
 }
 
-/// How thick the surfaces among small neighbourhoods are that face as the wide ones about the same points, of one kind,
-/// do; nothing where those are fewer than a tenth.
-std::optional<double> flat_within(const std::vector<Spread>& small, const std::vector<Spread>& wide,
-                                  bool upright) {
-  size_t of_kind = 0;
+/// The surfaces among small neighbourhoods that face as the wide ones about the same points, of one kind, do.
+struct FlatWithin {
+  double share = 0;  ///< of that kind
+  double sigma_m = 0;
+};
+FlatWithin flat_within(const std::vector<Spread>& small, const std::vector<Spread>& wide,
+                       bool upright) {
+  double of_kind = 0;
   std::vector<double> across;
   for (size_t i = 0; i < small.size(); ++i) {
     if (wide[i].upright != upright) continue;
@@ -78,20 +83,21 @@ std::optional<double> flat_within(const std::vector<Spread>& small, const std::v
         std::fabs(dot(small[i].normal, wide[i].normal)) >= kFacesAlike)
       across.push_back(small[i].across);
   }
-  if (across.empty() ||
-      static_cast<double>(across.size()) < kLeastKindShare * static_cast<double>(of_kind))
-    return std::nullopt;
-  return std::sqrt(value_at(std::move(across), 0.5));
+  if (across.empty()) return {};
+  const double share = static_cast<double>(across.size()) / of_kind;
+  return {share, std::sqrt(value_at(std::move(across), 0.5))};
 }
 
-/// Noise, or that of the smallest neighbourhoods that show it to be shape.
+/// Noise, or that of the smaller neighbourhoods most of which are surfaces, where they show it to be shape.
 double without_shape(double noise_m, const std::vector<std::vector<Spread>>& smaller,
                      const std::vector<Spread>& wide, bool upright) {
+  FlatWithin most;
   for (const std::vector<Spread>& small : smaller) {
-    const std::optional<double> flat_m = flat_within(small, wide, upright);
-    if (flat_m) return noise_m > kSameNoise * *flat_m ? *flat_m : noise_m;
+    const FlatWithin flat = flat_within(small, wide, upright);
+    if (flat.share > most.share) most = flat;
   }
-  return noise_m;
+  const bool is_shape = most.share >= kLeastFlatShare && noise_m > kSameNoise * most.sigma_m;
+  return is_shape ? most.sigma_m : noise_m;
 }
 
 }  // namespace

@@ -24,9 +24,9 @@ std::vector<Spread> neighbourhood_spreads(const Cloud& cloud, const Octree& tree
 /// Standard deviation of the points across the noisiest surfaces that a cloud has much of, upright or level: what is
 /// noise and not shape. Shape (reveals, mouldings, plants) spreads some neighbourhoods, noise all of them; so it is the
 /// spread that three quarters of the neighbourhoods of either kind exceed, in neighbourhoods wide enough to be surfaces
-/// in spite of it. Where a tenth of them hold smaller ones that face alike and are surfaces far less thick, what the
-/// wider ones spread by is shape, as posts and bays in a coarse scan, and the noise that of the smaller. 0: there are
-/// no surfaces. z is up.
+/// in spite of it. Where a twentieth of them hold smaller ones that face alike and are surfaces far less thick, what
+/// the wider ones spread by is shape, as posts and bays in a coarse scan, and the noise that of the smaller. 0: there
+/// are no surfaces. z is up.
 double surface_noise_m(const Cloud& cloud, const Octree& tree, Task& task);
 
 }  // namespace jalon
