@@ -43,7 +43,7 @@ FIGURES = [
             ("release/reliability_descriptors_test", "descriptors__of_open_files_are_not_inherited")], EACH, ""),
     Figure("T1", "thread sanitizer: 8 threads x 1 000 x 6 kinds of work", [("tsan/capi_threads_test", "threads__may_all_query_one_cloud"), ("tsan/capi_threads_operations_test", "threads__run_every_operation_on_one_cloud"), ("tsan/unit_base", "pool__does_every_chunk_once_run_after_run")], LONG, "the long form, 24 rounds of 42 operations in each thread, has not been run under the sanitizer"),
     Figure("T2", "same bits with 1, 2, 3, 7, 16 threads, 12 operations, 5 seeds, by two compilers", [("bits", "bits.sh BUILD_FOLDER"), ("clang", "its results have the bits")], LONG, "the long form, with 3 and 16 threads and five seeds, has not been run"),
-    Figure("T3", "cancel at 2 400 places, outputs untouched, nothing kept; whole on 2026-11-27: 2 813 places of 134 jobs",
+    Figure("T3", "cancel at 2 400 places, outputs untouched, nothing kept; whole on 2026-11-27: 2 935 places of 134 jobs",
            [("release/reliability_cancel_places_test", "cancel__at_each_place_leaves_no_output_and_the_call_can_be_made_again"),
             ("release/capi_cancel_test", "cancel__at_any_moment_ends_any_call_without_an_output")], LONG, ""),
     Figure("T4", "cancel: 99 in 100 within 100 ms", [("release/capi_cancel_test", "FIGURE cancel latency"), ("release/reliability_cancel_stretches_test", "FIGURE stretches without a look")], LONG, "at 5 M points on 2026-11-27 the longest stretch of processor time without a look, 44 of 95 operations: 39 at most 0.1 s, facade model 0.4, icp 0.3, sections 0.2, diagnosis and profiles 0.1; reading and writing apart"),
