@@ -137,6 +137,9 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_set_field(jalon_cloud* cloud, con
 JALON_API JALON_CHECK jalon_status jalon_cloud_remove_field(jalon_cloud* cloud, const char* name);
 /** Builds the index ahead. Parallel, O(n). */
 JALON_API JALON_CHECK jalon_status jalon_cloud_prepare(const jalon_cloud* cloud, jalon_task* task);
+/** Gives back the memory of the index, about 20 bytes a point, of this cloud and its copies: for one that is kept while
+ * other work is done. The next call that needs the index builds it again. Any thread; calls that use it go on. O(1). */
+JALON_API JALON_CHECK jalon_status jalon_cloud_drop_index(const jalon_cloud* cloud);
 
 /* ---- new clouds from old ones ---- */
 

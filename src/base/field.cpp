@@ -9,7 +9,6 @@
 
 #include "base/buffer.h"
 #include "base/error.h"
-#include "base/large_memory.h"
 
 namespace jalon {
 
@@ -30,10 +29,6 @@ const char* name_of(ElementType type) {
   return kNames[static_cast<int32_t>(type)];
 }
 
-// Columns of gigabytes are given back within milliseconds in large pages; in small ones a cancelled call spends 70 ms a
-// gigabyte on it.
-constexpr size_t kManyPagesBytes = size_t{64} << 20;
-
 void Column::Free::operator()(void* p) const { free_aligned(p); }
 
 Column::Column(FieldInfo info, size_t count) : info_(std::move(info)), count_(count) {
@@ -42,7 +37,6 @@ Column::Column(FieldInfo info, size_t count) : info_(std::move(info)), count_(co
   if (item * count == 0) return;
   // 64 readable bytes behind the end, as in Buffer.
   data_.reset(allocate_aligned((item * count + 64 + 63) / 64 * 64));
-  if (item * count >= kManyPagesBytes) advise_large_pages(data_.get(), item * count);
 }
 
 void Column::check(ElementType type) const {

@@ -6,8 +6,8 @@
 
 namespace jalon {
 
-/// From here on the two below pay: filling fresh memory page by page of 4 KiB costs five times as long as copying to
-/// it.
+/// From so many bytes on the two below pay: filling fresh memory page by page of 4 KiB costs five times as long as
+/// copying to it.
 constexpr size_t kLargeBytes = size_t{4} << 20;
 
 /// Asks the system for large pages for memory that will be written whole. Advice: nothing happens where it knows none.

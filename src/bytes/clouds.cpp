@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "base/large_memory.h"
 #include "base/parallel.h"
 #include "bytes/tables.h"
 #include "geometry/rigid_motion.h"
@@ -22,8 +21,6 @@ Buffer<double> read_points(ByteReader& reader, Task& task) {
   const size_t points = reader.count(kPointBytes);
   const uint8_t* from = reader.block(points * kPointBytes);
   Buffer<double> xyz(3 * points);
-  if (xyz.size() * sizeof(double) >= kLargeBytes)
-    advise_large_pages(xyz.data(), xyz.size() * sizeof(double));
   std::vector<char> is_finite((points + kPointsAtOnce - 1) / kPointsAtOnce, 1);
   parallel_for(task, points, kPointsAtOnce, [&](size_t begin, size_t end) {
     double* to = xyz.data() + 3 * begin;

@@ -98,7 +98,6 @@ jalon_status jalon_cloud_create(const void* xyz, int32_t type, uint64_t count,
     require_no_overflow(count);
     Buffer<double> coordinates(3 * count);
     const bool large = coordinates.size() * sizeof(double) >= kLargeBytes;
-    if (large) advise_large_pages(coordinates.data(), coordinates.size() * sizeof(double));
     // The usual large array, packed doubles: looked at while they are copied, so that they cross the memory bus once.
     if (large && require_type(type) == ElementType::kFloat64 && stride == 3 * sizeof(double) &&
         copy_finite(xyz, 3 * count, coordinates.data())) {
@@ -123,8 +122,6 @@ jalon_status jalon_cloud_create_columns(const void* x, const void* y, const void
       stride = require_array(columns[c], type, count, 1, stride_bytes, names[c]);
     require_no_overflow(count);
     Buffer<double> coordinates(3 * count);
-    if (coordinates.size() * sizeof(double) >= kLargeBytes)
-      advise_large_pages(coordinates.data(), coordinates.size() * sizeof(double));
     visit(require_type(type), [&](auto zero) {
       using T = decltype(zero);
       for (size_t i = 0; i < count;
@@ -273,5 +270,12 @@ jalon_status jalon_cloud_prepare(const jalon_cloud* cloud, jalon_task* task) {
   return guard([&] {
     require(cloud, "cloud");
     with_task(task, [&](Task& t) { cloud->cloud->octree(t); });
+  });
+}
+
+jalon_status jalon_cloud_drop_index(const jalon_cloud* cloud) {
+  return guard([&] {
+    require(cloud, "cloud");
+    cloud->cloud->index->drop();
   });
 }

@@ -8,6 +8,7 @@
 #include "cli/comparing/extras.h"
 #include "cli/comparing/field_steps.h"
 #include "cli/comparing/later_fields.h"
+#include "cli/comparing/report_files.h"
 #include "cli/inputs/compare_inputs.h"
 #include "cli/outputs/compare_listing.h"
 #include "cli/lengths.h"
@@ -16,6 +17,7 @@
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
 #include "cli/inputs/registration_file.h"
+#include "cli/system/memory.h"
 #include "cli/table.h"
 
 namespace jalon::cli {
@@ -112,7 +114,7 @@ struct Compare {
     return Direction::of(std::move(made));
   }
 
-  void write_report(const Console& console, OutputFolder& folder, const Direction& forward,
+  void write_report(const Console& console, const PathOf& path_of, const Direction& forward,
                     const Direction& reverse, const Fields& changes, const Params& change_options,
                     const Json& times, const std::string& shadows, const Lengths& lengths) const {
     const Params options = viewer.params("comparison_report");
@@ -125,14 +127,7 @@ struct Compare {
     if (!shadows.empty()) notes["input"]["shadows"] = shadows;
     notes["input"]["unit"] = lengths.in_report();
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
-    must(jalon_report_write_comparison(
-        forward.comparison.get(), reverse.comparison.get(), changes.get(), text.c_str(),
-        folder.path("report.html").c_str(), options.get(), console.task()));
-    must(jalon_report_write_histogram(forward.comparison.get(),
-                                      folder.path("histogram.svg").c_str(), options.get(),
-                                      console.task()));
-    must(jalon_report_write_deviations(
-        forward.comparison.get(), folder.path("distances.svg").c_str(), nullptr, console.task()));
+    write_report_files(console, path_of, forward, reverse, changes, options, text);
   }
 
   // How the two sides are compared.
@@ -160,7 +155,6 @@ struct Compare {
            std::string(criterion) != "field";
   }
 
-  // Outlines of what was found.
   void write_outlines(const Console& console, OutputFolder& folder, const Direction& forward,
                       const Direction& reverse, const Fields& found, const Plan& plan) const {
     Model outlines;
@@ -267,23 +261,30 @@ struct Compare {
       plan.shadows = said_of_shadows(before.cloud, params, *forward.summary,
                                      plan.both ? reverse.summary.get() : nullptr);
     times["compare"] = console.seconds();
+    give_back_memory();
     console.step("changes");
     Fields found = find_changes(console, plan, options, forward, reverse);
     times["changes"] = console.seconds();
+    for (const Cloud* cloud : {&after.cloud, &before.cloud})
+      if (*cloud) must(jalon_cloud_drop_index(cloud->get()));
+    give_back_memory();
     console.step("writing");
     OutputFolder folder(output);
     const PathOf path_of = [&](const std::string& name) { return folder.path(name); };
+    Beside beside(console);
     Json done = Json::array();
     if (steps.is_given()) {
-      const Cloud points = forward.cloud();
+      Cloud points = forward.cloud();
       done = steps.run(console, points, before.cloud);
-      write_both(console, path_of, points, "compared");
+      write_both(beside, path_of, std::move(points), "compared");
     } else {
-      write_points(console, path_of, "compared", compared, after, forward);
+      write_points(console, beside, path_of, "compared", compared, after, forward);
     }
-    if (plan.both) write_points(console, path_of, "reference", reference, before, reverse);
+    beside.wait();  // the points of one side with all that they tell are in memory at a time
+    if (plan.both) write_points(console, beside, path_of, "reference", reference, before, reverse);
+    beside.wait();
     write_outlines(console, folder, forward, reverse, found, plan);
-    write_report(console, folder, forward, reverse, found, options, times, plan.shadows, lengths);
+    write_report(console, path_of, forward, reverse, found, options, times, plan.shadows, lengths);
     const Table changes(std::move(found));
     const std::string list = plan.diagnosed ? "changes" : "regions";
     write_text_file(folder.path(list + ".csv"), changes.csv());

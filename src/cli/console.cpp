@@ -27,11 +27,8 @@ extern "C" void on_interrupt(int) {
 
 }  // namespace
 
-Console::Console(const Common& common) : common_(common), terminal_(prepare_terminal()) {
-  must(jalon_task_create(Out(task_)));
-  must(jalon_task_set_threads(task_.get(), common.threads));
-  must(jalon_task_set_memory_limit(task_.get(), uint64_t{common.memory_limit_mib} << 20));
-  must(jalon_task_set_log(task_.get(), on_log, this));
+Console::Console(const Common& common)
+    : common_(common), task_(another_task(on_log, this)), terminal_(prepare_terminal()) {
   if (!common.quiet && !common.json && terminal_)
     must(jalon_task_set_progress(task_.get(), on_progress, this));
   interruptible = task_.get();
@@ -44,6 +41,15 @@ Console::~Console() {
   std::signal(SIGINT, SIG_DFL);
   interruptible = nullptr;
   clear_bar();
+}
+
+Task Console::another_task(jalon_log_callback log, void* user) const {
+  Task out;
+  must(jalon_task_create(Out(out)));
+  must(jalon_task_set_threads(out.get(), common_.threads));
+  must(jalon_task_set_memory_limit(out.get(), uint64_t{common_.memory_limit_mib} << 20));
+  must(jalon_task_set_log(out.get(), log, user));
+  return out;
 }
 
 void Console::step(const char* name) {

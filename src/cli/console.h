@@ -30,6 +30,10 @@ class Console {
   Console& operator=(const Console&) = delete;
 
   jalon_task* task() const { return task_.get(); }
+  /// As the options say; 0 = all processors.
+  unsigned threads() const { return common_.threads; }
+  /// With the same threads and memory, for a call on another thread.
+  Task another_task(jalon_log_callback log, void* user) const;
   /// Names the step for the bar and starts its clock.
   void step(const char* name);
   /// Seconds since step() was called.

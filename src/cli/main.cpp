@@ -8,6 +8,7 @@
 #include <new>
 
 #include "cli/options.h"
+#include "cli/system/memory.h"
 
 namespace jalon::cli {
 
@@ -59,6 +60,7 @@ int exit_code(jalon_status status) {
 }
 
 int run(int argc, char** argv) {
+  return_large_blocks();
   const auto declare = [](Command& app) {
     add_info(app);
     add_convert(app);

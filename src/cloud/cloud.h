@@ -42,6 +42,9 @@ class IndexSlot {
   /// Replaces it by a tree on this cube unless it has it already.
   std::shared_ptr<const Octree> get_on(std::span<const double> xyz, const Cube& cube, Task& task);
 
+  /// Forgets the tree, until it is asked for again; who holds it keeps it.
+  void drop();
+
   /// What was made of the points and may be wanted again soon. The slot does not keep it alive.
   struct Remembered {
     virtual ~Remembered() = default;

@@ -47,6 +47,12 @@ std::shared_ptr<const Octree> IndexSlot::get_on(std::span<const double> xyz, con
   return build(xyz, &cube, task);
 }
 
+void IndexSlot::drop() {
+  std::shared_ptr<const Octree> last;  // freed without the lock
+  const std::lock_guard lock(mutex_);
+  last.swap(tree_);
+}
+
 void IndexSlot::remember(const std::shared_ptr<Remembered>& made) {
   const std::lock_guard lock(mutex_);
   remembered_ = made;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/error.h"
 #include "base/parallel.h"
@@ -58,29 +59,25 @@ std::span<const ParamRow> histogram_rows() {
   return kRows;
 }
 
-Histogram field_histogram(std::span<const double> values, const NoiseLaw* law,
-                          const HistogramSettings& settings, Task& task) {
-  const std::vector<double> sorted = sorted_values(finite_values(values), task);
-  if (sorted.empty()) fail(Status::kInsufficientData, "the field has no finite value");
+Histogram field_counts(std::span<const double> values, const HistogramSettings& settings) {
   Histogram h;
-  h.values = sorted.size();
-  h.missing = values.size() - sorted.size();
-  h.minimum = sorted.front();
-  h.maximum = sorted.back();
-  const MeanAndVariance m = mean_and_variance(sorted, task);
-  h.mean = m.mean;
-  h.standard_deviation = std::sqrt(m.variance);
-  h.rms = std::hypot(m.mean, h.standard_deviation);
-  h.median = quantile_of(sorted, 0.5);
-  h.p90 = quantile_of(sorted, 0.9);
-  h.p95 = quantile_of(sorted, 0.95);
-  h.p99 = quantile_of(sorted, 0.99);
+  h.minimum = std::numeric_limits<double>::infinity();
+  h.maximum = -h.minimum;
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
+    ++h.values;
+    h.minimum = std::min(h.minimum, v);
+    h.maximum = std::max(h.maximum, v);
+  }
+  if (h.values == 0) fail(Status::kInsufficientData, "the field has no finite value");
+  h.missing = values.size() - h.values;
   set_range(settings, h);
-  const auto root = static_cast<size_t>(std::sqrt(static_cast<double>(sorted.size())));
+  const auto root = static_cast<size_t>(std::sqrt(static_cast<double>(h.values)));
   h.counts.resize(settings.bins > 0 ? settings.bins
                                     : std::clamp<size_t>(root, 1, kMostAutomaticBins));
   const double width = h.width();
-  for (const double v : sorted) {
+  for (const double v : values) {
+    if (!std::isfinite(v)) continue;
     if (v < h.from) {
       ++h.below;
     } else if (v > h.to) {
@@ -89,7 +86,23 @@ Histogram field_histogram(std::span<const double> values, const NoiseLaw* law,
       ++h.counts[std::min(h.counts.size() - 1, static_cast<size_t>((v - h.from) / width))];
     }
   }
+  return h;
+}
+
+Histogram field_histogram(std::span<const double> values, const NoiseLaw* law,
+                          const HistogramSettings& settings, Task& task) {
+  Histogram h = field_counts(values, settings);
+  const std::vector<double> sorted = sorted_values(finite_values(values), task);
+  const MeanAndVariance m = mean_and_variance(sorted, task);
+  h.mean = m.mean;
+  h.standard_deviation = std::sqrt(m.variance);
+  h.rms = std::hypot(m.mean, h.standard_deviation);
+  h.median = quantile_of(sorted, 0.5);
+  h.p90 = quantile_of(sorted, 0.9);
+  h.p95 = quantile_of(sorted, 0.95);
+  h.p99 = quantile_of(sorted, 0.99);
   if (law == nullptr) return h;
+  const double width = h.width();
   double before = law->cumulative(h.from);
   for (size_t b = 0; b < h.counts.size(); ++b) {
     const double after = law->cumulative(h.from + width * static_cast<double>(b + 1));

@@ -30,7 +30,9 @@ struct HistogramSettings {
   uint32_t classes = 0;  ///< of the chi-square distance; 0: the root of the number of values
 };
 std::span<const ParamRow> histogram_rows();
-/// law may be null. kInsufficientData when there is no finite value.
+/// The counts alone, with the least and the largest value. kInsufficientData when there is no finite value.
+Histogram field_counts(std::span<const double> values, const HistogramSettings& settings);
+/// These and the statistics; law may be null.
 Histogram field_histogram(std::span<const double> values, const NoiseLaw* law,
                           const HistogramSettings& settings, Task& task);
 /// Bins "from", "to", "count" and, with a law, "expected".

@@ -110,7 +110,8 @@ constexpr auto kPlaceRows = setting_rows(
     string_row<&ReadSettings::fields>(
         "fields", "",
         "Fields of a cloud to read, by name, separated by blanks or commas, as \"intensity "
-        "classification\"; one that the file lacks is an error. \"-\": none; empty: all"),
+        "classification\"; one that the file lacks is an error, unless a question mark follows its "
+        "name. \"-\": none; empty: all"),
     number_row<&ReadSettings::png_source_pixel_m>(
         "png_source_pixel_m", 0, 1000, "m", "png",
         "Edge of a pixel of a PNG file that tells none, neither itself nor by a world file (pgw)"),

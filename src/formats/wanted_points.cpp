@@ -18,11 +18,18 @@ namespace {
 
 constexpr const char* kNoFields = "-";
 
-std::vector<std::string> words_of(const std::string& text) {
-  std::vector<std::string> out;
+/// A field that the option "fields" names; "intensity?" may be missing.
+struct WantedField {
+  std::string name;
+  bool may_miss = false;
+};
+
+std::vector<WantedField> fields_of(const std::string& text) {
+  std::vector<WantedField> out;
   for (size_t at = 0; at < text.size();) {
     const size_t end = std::min(text.find_first_of(" ,", at), text.size());
-    if (end > at) out.push_back(text.substr(at, end - at));
+    const bool may_miss = end > at + 1 && text[end - 1] == '?';
+    if (end > at) out.push_back({text.substr(at, end - at - (may_miss ? 1 : 0)), may_miss});
     at = end + 1;
   }
   return out;
@@ -90,10 +97,10 @@ Cloud with_wanted_fields(Cloud cloud, const std::string& path, const ReadSetting
   if (settings.fields.empty()) return cloud;
   FieldTable kept;
   if (settings.fields != kNoFields)
-    for (const std::string& name : words_of(settings.fields)) {
+    for (const auto& [name, may_miss] : fields_of(settings.fields)) {
       ColumnPtr field = cloud.fields.find_shared(name);
-      if (field == nullptr) refuse_field(cloud, name, path);
-      kept.set(std::move(field));
+      if (field == nullptr && !may_miss) refuse_field(cloud, name, path);
+      if (field != nullptr) kept.set(std::move(field));
     }
   cloud.fields = std::move(kept);
   return cloud;
@@ -102,13 +109,14 @@ Cloud with_wanted_fields(Cloud cloud, const std::string& path, const ReadSetting
 }  // namespace
 
 bool wants_field(const ReadSettings& settings, std::string_view name) {
-  return settings.fields.empty() || std::ranges::count(words_of(settings.fields), name) != 0;
+  return settings.fields.empty() ||
+         std::ranges::count(fields_of(settings.fields), name, &WantedField::name) != 0;
 }
 
 bool wants_only(const ReadSettings& settings, const std::vector<std::string>& names) {
   return settings.fields == kNoFields ||
-         std::ranges::all_of(words_of(settings.fields), [&](const std::string& name) {
-           return std::ranges::count(names, name) != 0;
+         std::ranges::all_of(fields_of(settings.fields), [&](const WantedField& field) {
+           return field.may_miss || std::ranges::count(names, field.name) != 0;
          });
 }
 

@@ -19,7 +19,7 @@ inline constexpr int64_t kMostKeptPoints = 4000000000;
 
 /// Whether the option "fields" keeps a field of this name.
 bool wants_field(const ReadSettings& settings, std::string_view name);
-/// Whether the option names none but these.
+/// Whether the option names none but these, or names that may be missing.
 bool wants_only(const ReadSettings& settings, const std::vector<std::string>& names);
 
 /// Of what was read from the path: the points of the box, of those the ones of the station, of these at most so many;

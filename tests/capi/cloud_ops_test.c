@@ -185,8 +185,29 @@ static void cancel__ends_every_long_call_and_leaves_the_cloud_usable(void** stat
   jalon_cloud_release(cloud);
 }
 
+static void index__that_was_dropped_is_built_again(void** state) {
+  (void)state;
+  jalon_cloud *cloud = NULL, *copy = NULL;
+  const double xyz[] = {0, 0, 0, 1, 0, 0, 0, 3, 0, 0, 0, 5}, place[] = {0.9, 0, 0};
+  uint64_t before[2], after[2];
+  OK(jalon_cloud_create(xyz, JALON_FLOAT64, 4, 0, 0, &cloud));
+  OK(jalon_cloud_copy(cloud, &copy));
+  OK(jalon_cloud_drop_index(cloud));  // which has none yet
+  OK(jalon_cloud_knn(cloud, place, JALON_FLOAT64, 1, 0, 2, JALON_LEVEL_AUTOMATIC, NULL, before,
+                     NULL));
+  OK(jalon_cloud_drop_index(copy));
+  OK(jalon_cloud_knn(cloud, place, JALON_FLOAT64, 1, 0, 2, JALON_LEVEL_AUTOMATIC, NULL, after,
+                     NULL));
+  assert_int_equal(before[0], 1);
+  assert_memory_equal(before, after, sizeof before);
+  assert_int_equal(jalon_cloud_drop_index(NULL), JALON_ERROR_INVALID_ARGUMENT);
+  jalon_cloud_release(copy);
+  jalon_cloud_release(cloud);
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
+      cmocka_unit_test(index__that_was_dropped_is_built_again),
       cmocka_unit_test(normals__oriented_to_a_point_and_inverted),
       cmocka_unit_test(features_and_components__add_their_fields),
       cmocka_unit_test(statistics__covariance_and_moments),

@@ -44,6 +44,8 @@ assert later == once and any(b"face" in f for f in later) and any(b"evidence" in
 judge "LAS as text, which takes long to read" "$jalon" convert day1.las day1.xyz --quiet
 judge "a file that is cut, replaced or removed meanwhile is told, and nothing written" python3 "$here/changed_meanwhile.py" "$jalon" day1.xyz day3.las day1.las
 
+judge "files written beside others are whole or not there" python3 "$here/written_beside.py" "$jalon" day1.las day3.las
+
 # A box of both scans, and one of their own.
 judge "compare reads a box of all scans" "$jalon" compare day1.las day3.las -o boxed --box=-100,-100,-10,30,100,50 --json --quiet
 judge "compare reads a box of one scan" "$jalon" compare day1.las day3.las -o half --compared-box=-100,-100,-10,30,100,50 --json --quiet

@@ -5,8 +5,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "cli/options.h"
+#include "cli/outputs/beside.h"
 #include "cli/table.h"
 
 namespace jalon::cli {
@@ -64,12 +66,14 @@ inline void require_compared(const std::string& reference, const std::string& co
                       ": they may lie apart or have other units; nothing is written"};
 }
 
-/// As NAME.las and NAME.ply.
-inline void write_both(const Console& console, const PathOf& path_of, const Cloud& cloud,
+/// As NAME.las and NAME.ply, both at once.
+inline void write_both(Beside& beside, const PathOf& path_of, Cloud cloud,
                        const std::string& name) {
+  const std::shared_ptr<jalon_cloud> shared = std::move(cloud);
   for (const char* extension : {".las", ".ply"})
-    must(
-        jalon_cloud_write(cloud.get(), path_of(name + extension).c_str(), nullptr, console.task()));
+    beside.run([shared, path = path_of(name + extension)](jalon_task* task) {
+      must(jalon_cloud_write(shared.get(), path.c_str(), nullptr, task));
+    });
 }
 
 }  // namespace jalon::cli

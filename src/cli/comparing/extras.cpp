@@ -135,8 +135,10 @@ void Extras::write(const Console& console, const PathOf& path_of, const Side& re
     Cloud closest;
     must(jalon_comparison_closest_points(forward.comparison.get(), reference.cloud.get(),
                                          console.task(), Out(closest)));
-    write_both(console, path_of, closest, "closest");
     result["closest_points"] = count_of(closest);
+    Beside beside(console);
+    write_both(beside, path_of, std::move(closest), "closest");
+    beside.wait();
   }
   if (with_depth_maps_) {
     const Params options = make_params("visibility");

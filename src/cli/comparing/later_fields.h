@@ -25,18 +25,8 @@ inline bool may_read_later(const Input& input) {
          input.box.empty() && input.only_station.empty();
 }
 
-/// Of the fields of a cloud those that reports show, as an Input names them.
-inline std::string shown_fields(const Cloud& cloud) {
-  Fields fields;
-  must(jalon_cloud_fields(cloud.get(), Out(fields)));
-  std::string names;
-  for (const char* name : {"intensity", "red", "green", "blue"}) {
-    jalon_array_view view;
-    if (jalon_fields_view(fields.get(), name, &view) == JALON_OK)
-      names += (names.empty() ? "" : " ") + std::string(name);
-  }
-  return names.empty() ? "-" : names;
-}
+/// Fields that reports show, where a scan has them, as an Input names them.
+inline constexpr const char* kShownFields = "intensity? red? green? blue?";
 
 inline Cloud read_again(Console& console, const Input& input) {
   console.pass_over_warnings(true);
@@ -49,11 +39,7 @@ inline Cloud read_again(Console& console, const Input& input) {
 inline ReadScan read_to_compare(Console& console, const Input& input) {
   if (!may_read_later(input)) return {input.read(console)};
   Input lean = input;
-  lean.max_points = 1;
-  console.pass_over_warnings(true);  // of one point
-  lean.fields = shown_fields(lean.read(console));
-  console.pass_over_warnings(false);
-  lean.max_points = 0;
+  lean.fields = kShownFields;
   ReadScan out{lean.read(console), true};
   // Without the poses of all its points the comparison looks for stations, and its cloud has others than the file.
   if (!has_all_stations(out.cloud)) out = {read_again(console, input)};
@@ -77,9 +63,9 @@ inline Cloud read_whole(Console& console, const Input& input, const ReadScan& sc
   return out;
 }
 
-inline void write_points(Console& console, const PathOf& path_of, const char* name,
+inline void write_points(Console& console, Beside& beside, const PathOf& path_of, const char* name,
                          const Input& input, const ReadScan& scan, const Direction& found) {
-  write_both(console, path_of, read_whole(console, input, scan, found), name);
+  write_both(beside, path_of, read_whole(console, input, scan, found), name);
 }
 
 }  // namespace jalon::cli

@@ -64,19 +64,24 @@ void EpochWindow::part(const std::vector<Support>& supports, double cell_m, Task
       labels_[k] = is_held ? 0 : 1;
     }
   });
-  // Its size is known before: a window may hold all points, which a vector that grows would have twice.
-  std::vector<double> xyz;
-  xyz.reserve(3 * static_cast<size_t>(std::count(labels_.begin(), labels_.end(), 1u)));
-  for (size_t k = 0; k < points_.size(); ++k) {
-    if (labels_[k] == 0) continue;
-    const Vec3 p = epoch_.local(points_[k]);
-    xyz.insert(xyz.end(), {p.x, p.y, p.z});
-  }
-  const Components pieces = connected_components(xyz, {}, cell_m, Connectivity3::k26, 1, task);
+  const Components pieces =
+      connected_components(free_points(), {}, cell_m, Connectivity3::k26, 1, task);
   size_t next = 0;
   for (uint32_t& label : labels_)
     if (label != 0) label = pieces.labels[next++];
   states_.assign(pieces.count() + 1, kLeft);
+}
+
+// Its size is known before: a window may hold all points, which a vector that grows would have twice.
+Buffer<double> EpochWindow::free_points() const {
+  Buffer<double> xyz(3 * static_cast<size_t>(std::count(labels_.begin(), labels_.end(), 1u)));
+  double* to = xyz.data();
+  for (size_t k = 0; k < points_.size(); ++k) {
+    if (labels_[k] == 0) continue;
+    const Vec3 p = epoch_.local(points_[k]);
+    for (const double coordinate : {p.x, p.y, p.z}) *to++ = coordinate;
+  }
+  return xyz;
 }
 
 void EpochWindow::take(uint32_t i) {

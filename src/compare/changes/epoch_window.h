@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/buffer.h"
 #include "compare/changes/change_objects.h"
 
 namespace jalon {
@@ -42,6 +43,9 @@ class EpochWindow {
     return statuses_[i] == static_cast<uint8_t>(CompareStatus::kCompared) &&
            epoch_.regions.changed[i] == 0;
   }
+
+  /// Local coordinates of those that no support holds, by labels_ of 1.
+  Buffer<double> free_points() const;
 
   const Epoch& epoch_;
   std::span<const uint8_t> statuses_;

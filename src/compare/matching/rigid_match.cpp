@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "base/serial.h"
 #include "compare/matching/match_starts.h"
 #include "geometry/adjustment.h"
 #include "geometry/rigid_motion.h"
@@ -25,8 +24,8 @@ constexpr double kEqual =
 // Of the tolerance: a step by less changes no pair.
 constexpr double kSmallStep = 0.01;
 constexpr int kRefinements = 4;
-constexpr size_t kPointsPerLook = 256;  // each is a search
-constexpr size_t kLeastPairs = 12;      // two for each unknown
+constexpr size_t kPairGrain = 256;  // points, each of which is a search
+constexpr size_t kLeastPairs = 12;  // two for each unknown
 
 // Is the moved point on the surface? The pair is its plane there. flat: only away from edges, where planes are true.
 bool lies_on(const MatchSurface& surface, const Vec3& moved, double reach_m, PlanePair& pair,
@@ -105,6 +104,23 @@ double size_of(const Transform& motion, const MatchSurface& before) {
          norm(rotation_vector(motion)) * norm(before.box().max - before.box().min) / 2;
 }
 
+// What of before lies on flat parts of after, in its order.
+std::vector<PlanePair> flat_pairs(const MatchSurface& before, const MatchSurface& after,
+                                  const Transform& motion, double tolerance_m, Task& task) {
+  const size_t n = before.points().size();
+  std::vector<std::vector<PlanePair>> parts((n + kPairGrain - 1) / kPairGrain);
+  parallel_for(task, n, kPairGrain, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      PlanePair pair{before.points()[i], {}, {}};
+      if (lies_on(after, motion.point(pair.from), tolerance_m, pair, true))
+        parts[begin / kPairGrain].push_back(pair);
+    }
+  });
+  std::vector<PlanePair> out;
+  for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
+  return out;
+}
+
 // Step 4: pairs and adjustment in turns, with all points.
 void adjust_motion(const MatchSurface& before, const MatchSurface& after,
                    const MatchSetting& setting, Task& task, RigidMatch& match) {
@@ -112,14 +128,7 @@ void adjust_motion(const MatchSurface& before, const MatchSurface& after,
   Adjusted<6> adjusted;
   std::vector<PlanePair> pairs;
   for (int k = 0; k < kRefinements; ++k) {
-    pairs.clear();
-    serial_for(task, before.points().size(), kPointsPerLook, [&](size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        PlanePair pair{before.points()[i], {}, {}};
-        if (lies_on(after, model.motion().point(pair.from), setting.tolerance_m, pair, true))
-          pairs.push_back(pair);
-      }
-    });
+    pairs = flat_pairs(before, after, model.motion(), setting.tolerance_m, task);
     if (pairs.size() < kLeastPairs) return;
     MotionModel next = model;
     // Without a reach: the pairs are within it, and a sharp end would keep the steps from getting small.
@@ -160,8 +169,12 @@ RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after,
   if (before.size() < kLeastPairs || after.size() < kLeastPairs) return best;
   const std::vector<Vec3> sample = before.sample(kSample), other = after.sample(kSample);
   double least = 0;
-  for (const Transform& start : match_starts(before, after, setting)) {
-    const Transform motion = iterated(sample, before, after, start, setting.tolerance_m);
+  std::vector<Transform> motions = match_starts(before, after, setting);
+  parallel_for(task, motions.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k)
+      motions[k] = iterated(sample, before, after, motions[k], setting.tolerance_m);
+  });
+  for (const Transform& motion : motions) {
     const double explained = explained_by(motion, sample, other, before, after, setting, task);
     const double size = size_of(motion, before);
     const bool is_better = explained > best.explained + kEqual ||

@@ -5,7 +5,6 @@
 #include <optional>
 
 #include "base/error.h"
-#include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/codecs/codecs.h"
 #include "formats/files/cloud_pieces.h"
@@ -250,14 +249,16 @@ struct LasReading : LasFrame {
     leave_out(settings);
   }
 
-  // Fields that nobody wants are not decoded; all are where one is missing, for the message, or tells the stations.
+  // Fields that nobody wants are not decoded, but what tells the stations; all are where one is missing, for the
+  // message.
   void leave_out(const ReadSettings& settings) {
     std::vector<std::string> names;
     for (const Dimension& dimension : standard) names.push_back(dimension.field.name);
     for (const ExtraDimension& dimension : extra) names.push_back(dimension.field.name);
-    if (tells_stations() || !wants_only(settings, names)) return;
+    if (!wants_only(settings, names)) return;
+    const std::string stations = station_field(vlrs, evlrs);
     const auto is_unwanted = [&](const auto& dimension) {
-      return !wants_field(settings, dimension.field.name);
+      return dimension.field.name != stations && !wants_field(settings, dimension.field.name);
     };
     std::erase_if(standard, is_unwanted);
     std::erase_if(extra, is_unwanted);
@@ -284,8 +285,6 @@ struct LasReading : LasFrame {
     for (const ExtraDimension& dimension : extra)
       extractions.push_back(extraction_of(dimension, core, run.count));
     Buffer<double> xyz(3 * run.count);
-    advise_large_pages(xyz.data(), xyz.size() * sizeof(double));
-    for (const Extraction& e : extractions) advise_large_pages(e.column->raw(), e.column->bytes());
     {
       ProgressSpan span(task, 0, 0.95, "reading LAS");
       const PointSink sink{header, unit, xyz, extractions};

@@ -12,18 +12,33 @@ namespace {
 constexpr const char* kFieldName = "station";
 constexpr size_t kMostRecordBytes = 0xFFFF;  // of a VLR
 
+ToldStations told_stations(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs) {
+  ToldStations told;
+  for (const auto* list : {&vlrs, &evlrs})
+    for (const Record& record : *list)
+      if (is_station_record(record))
+        read_stations({reinterpret_cast<const char*>(record.data()), record.size()}, told);
+  return told;
+}
+
 }  // namespace
 
 bool is_station_record(const Record& record) { return record.is(kStationUser, kStationRecord); }
+
+std::string station_field(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs) {
+  try {
+    return told_stations(vlrs, evlrs).field;
+  } catch (const Error& error) {
+    if (error.status() != Status::kFormat) throw;
+    return {};  // with_stations tells why they are left out
+  }
+}
 
 Cloud with_stations(Cloud cloud, const std::vector<Record>& vlrs, const std::vector<Record>& evlrs,
                     const Vec3& metres, const std::string& path, Task& task) {
   ToldStations told;
   try {
-    for (const auto* list : {&vlrs, &evlrs})
-      for (const Record& record : *list)
-        if (is_station_record(record))
-          read_stations({reinterpret_cast<const char*>(record.data()), record.size()}, told);
+    told = told_stations(vlrs, evlrs);
   } catch (const Error& error) {
     if (error.status() != Status::kFormat) throw;
     task.log(Task::kWarning, "%s: the stations are left out: %s", path.c_str(), error.what());

@@ -16,6 +16,8 @@ constexpr const char* kStationUser = "Jalon";
 constexpr unsigned kStationRecord = 1;
 
 bool is_station_record(const Record& record);
+/// The dimension that numbers the points' stations; "" where none does.
+std::string station_field(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs);
 /// What the records tell, lengths times these factors; the field that numbers them goes. Broken ones are a warning.
 Cloud with_stations(Cloud cloud, const std::vector<Record>& vlrs, const std::vector<Record>& evlrs,
                     const Vec3& metres, const std::string& path, Task& task);

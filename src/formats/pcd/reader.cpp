@@ -8,7 +8,6 @@
 #include <memory>
 
 #include "base/error.h"
-#include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/files/endian.h"
 #include "formats/files/fast_number.h"
@@ -55,7 +54,6 @@ class Layout {
 
   PcdPoints run() {
     points_.xyz = Buffer<double>(3 * header_.points);
-    advise_large_pages(points_.xyz.data(), points_.xyz.size() * sizeof(double));
     for (const char* name : {"x", "y", "z"})
       if (count_of(name) != 1) source_.refuse(0, "the header needs one field %s", name);
     const bool normals =

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/files/component.h"
 #include "formats/files/finish_cloud.h"
@@ -61,7 +60,6 @@ Vertices prepare(const ByteSource& source, const Header& header, const Element& 
   const size_t count = element.count;
   Vertices out;
   out.xyz = Buffer<double>(3 * count);
-  advise_large_pages(out.xyz.data(), out.xyz.size() * sizeof(double));
   const bool normals = with_fields && is_property(element, "nx") && is_property(element, "ny") &&
                        is_property(element, "nz");
   std::shared_ptr<Column> normal;

@@ -21,8 +21,8 @@ namespace jalon {
 namespace {
 
 constexpr size_t kCommentBytes = size_t{1} << 16;  // of a line: more stations take several
-constexpr size_t kWriterGrain = size_t{1} << 14;
-constexpr size_t kBatch = 16 * kWriterGrain;
+constexpr size_t kWriterGrain = size_t{1} << 12;   // items a chunk, of some 100 bytes each
+constexpr size_t kBatch = 16 * kWriterGrain;       // in memory at a time
 constexpr size_t kRowsTogether = 1024;  // of some 50 bytes: they stay in a cache of 256 KiB
 
 const char* type_word(ElementType type) {

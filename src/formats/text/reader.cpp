@@ -9,7 +9,6 @@
 #include <memory>
 
 #include "base/error.h"
-#include "base/large_memory.h"
 #include "base/parallel.h"
 #include "formats/files/fast_number.h"
 #include "formats/files/component.h"
@@ -135,7 +134,6 @@ class TextReader {
   Cloud run() {
     count();
     Buffer<double> xyz(3 * points_);
-    advise_large_pages(xyz.data(), xyz.size() * sizeof(double));
     prepare(xyz);
     Ranges ranges;
     {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/parallel.h"
 #include "report/names/told_numbers.h"
 #include "report/pages/html_model.h"
 #include "report/pictures/epochs_picture.h"
@@ -153,15 +154,21 @@ void add_change_pages(Page& page, const Comparison& forward, const Comparison* r
   std::vector<EpochPanel> panels;
   if (reverse != nullptr) panels.push_back({"before: the reference", reverse});
   panels.push_back({"after: what was compared", &forward});
-  for (const ChangePlace& place : places) {
-    const std::vector<Vec3> changed = place.points(forward, reverse);
-    if (changed.empty()) continue;
+  // At once: each picture looks for its points in the whole cloud.
+  std::vector<std::string> pictures(places.size());
+  parallel_chunks(task, places.size(), [&](size_t k) {
+    const std::vector<Vec3> changed = places[k].points(forward, reverse);
+    if (!changed.empty()) pictures[k] = epochs_svg(panels, changed, around(changed), scale, task);
+  });
+  for (size_t k = 0; k < places.size(); ++k) {
+    const ChangePlace& place = places[k];
+    if (pictures[k].empty()) continue;
     page.html().open("section", {{"style", "break-before:page"}});
     page.heading((has_classes ? "Change " : "Region ") + std::to_string(place.row + 1) +
                  (has_classes ? ": " + class_of(changes, place.row) : ""));
     add_pairs(page, has_classes ? told_of_change(changes, place.row)
                                 : told_of_region(changes, place.row));
-    page.html().raw(epochs_svg(panels, changed, around(changed), scale, task));
+    page.html().raw(pictures[k]);
     page.html().close();
   }
 }

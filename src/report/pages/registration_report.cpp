@@ -77,8 +77,7 @@ double share_below(const std::vector<double>& sorted, double share) {
                          static_cast<size_t>(share * static_cast<double>(sorted.size())))];
 }
 
-void add_histogram(Page& page, const char* title, const Distances& found, int64_t bins,
-                   Task& task) {
+void add_histogram(Page& page, const char* title, const Distances& found, int64_t bins) {
   const std::vector<double>& sorted = found.sorted;
   page.html().open("div").element("h3", {}, title);
   if (sorted.empty()) {
@@ -89,7 +88,7 @@ void add_histogram(Page& page, const char* title, const Distances& found, int64_
     const HistogramSettings bounds{
         .bins = static_cast<uint64_t>(bins),
         .maximum = round_up_125(std::max(share_below(sorted, kShown), 1e-6))};
-    page.html().raw(distance_chart(field_histogram(sorted, nullptr, bounds, task), nullptr, {}));
+    page.html().raw(distance_chart(field_counts(sorted, bounds), nullptr, {}));
     double squares = 0;
     for (const double d : sorted) squares += d * d;
     page.note("median " + text_of(1000 * share_below(sorted, 0.5), 2) + " mm, 95 % below " +
@@ -111,8 +110,8 @@ void add_before_after(Page& page, const Registration& r, const CloudPtr& referen
   const Cloud moved = transformed(sample, r.pose, task);
   const CloudPtr surface = as_registered(reference, r, task);
   page.html().open("div", {{"style", kRegistrationReportSideBySide}});
-  add_histogram(page, "Before", distances(surface, sample, task), settings.bins, task);
-  add_histogram(page, "After", distances(surface, moved, task), settings.bins, task);
+  add_histogram(page, "Before", distances(surface, sample, task), settings.bins);
+  add_histogram(page, "After", distances(surface, moved, task), settings.bins);
   page.html().close();
   page.note(
       "Distances of " + std::to_string(sample.size()) +

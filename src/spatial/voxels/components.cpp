@@ -124,7 +124,7 @@ Components connected_components(std::span<const double> xyz, const Vec3& origin,
   std::vector<CellNumber> cells;
   {
     ProgressSpan span(task, 0, 0.5);
-    grid = voxel_grid(xyz, origin, cell_m, task);
+    grid = voxel_lists(xyz, origin, cell_m, task);
     cells = cell_numbers_of(grid, xyz, origin, cell_m, task);
   }
   // 2. Join neighbours.

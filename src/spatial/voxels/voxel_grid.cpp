@@ -73,7 +73,7 @@ void add_centroids(std::span<const double> xyz, const Vec3& origin, VoxelGrid& g
 
 }  // namespace
 
-VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cell_m, Task& task) {
+VoxelGrid voxel_lists(std::span<const double> xyz, const Vec3& origin, double cell_m, Task& task) {
   const size_t n = xyz.size() / 3;
   require_voxels(n, cell_m);
   VoxelGrid grid;
@@ -81,7 +81,7 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
   Buffer<KeyedIndex> records(n);
   std::vector<size_t> begins;
   {
-    ProgressSpan span(task, 0, 0.5, "sorting points into cells");
+    ProgressSpan span(task, 0, 0.6, "sorting points into cells");
     const VoxelNumbers numbering(xyz, range_of(xyz, task), origin, cell_m, task);
     Buffer<uint64_t> keys(n);  // made once: divisions cost more than memory
     parallel_for(task, n, kVoxelGridGrain, [&](size_t begin, size_t end) {
@@ -104,7 +104,7 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
                                 [&](size_t b) { return begins[b + 1] - begins[b]; });
   std::vector<std::vector<uint32_t>> firsts(groups.size() - 1);
   {
-    ProgressSpan span(task, 0.5, 0.8);
+    ProgressSpan span(task, 0.6, 1);
     parallel_chunks(task, firsts.size(), [&](size_t g) {
       size_t most = 0;
       for (size_t b = groups[g]; b < groups[g + 1]; ++b)
@@ -124,6 +124,16 @@ VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cel
   for (const auto& part : firsts)
     for (const uint32_t first : part) grid.first[at++] = first;
   grid.first[cells] = static_cast<uint32_t>(n);
+  return grid;
+}
+
+VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cell_m, Task& task) {
+  VoxelGrid grid;
+  {
+    ProgressSpan span(task, 0, 0.8);
+    grid = voxel_lists(xyz, origin, cell_m, task);
+  }
+  if (grid.size() == 0) return grid;
   ProgressSpan span(task, 0.8, 1);
   add_centroids(xyz, origin, grid, task);
   return grid;

@@ -25,6 +25,8 @@ struct VoxelGrid {
 /// beyond). Take an origin that moves with the cloud (a cube's), so that whole-metre shifts give the same cells.
 /// Parallel; O(n).
 VoxelGrid voxel_grid(std::span<const double> xyz, const Vec3& origin, double cell_m, Task& task);
+/// The lists alone, without the centroids.
+VoxelGrid voxel_lists(std::span<const double> xyz, const Vec3& origin, double cell_m, Task& task);
 /// The centroids alone, the same bits in the same order, without the lists. box: of all points.
 Buffer<double> voxel_centroids(std::span<const double> xyz, const Box3& box, const Vec3& origin,
                                double cell_m, Task& task);

@@ -43,6 +43,20 @@ TEST_CASE("index_slot__keeps_the_tree_on_a_cube_asked_for_until_another_is") {
   CHECK(slot.get(xyz, task) == second);
 }
 
+TEST_CASE("index_slot__drops_its_tree_which_who_holds_it_keeps") {
+  const auto xyz = coordinates(500);
+  IndexSlot slot;
+  Task task;
+  const auto first = slot.get(xyz, task);
+  std::weak_ptr<const Octree> second;
+  slot.drop();
+  CHECK(first->size() == 500);
+  second = slot.get(xyz, task);
+  CHECK(second.lock() != first);
+  slot.drop();
+  CHECK(second.expired());
+}
+
 TEST_CASE("index_slot__a_build_that_failed_leaves_no_tree_and_the_next_one_succeeds") {
   const auto xyz = coordinates(5000);
   IndexSlot slot;

@@ -110,6 +110,22 @@ TEST_CASE("wanted_points__fields_are_those_named_in_their_order_and_one_that_lac
   }
 }
 
+TEST_CASE("wanted_points__a_field_with_a_question_mark_may_be_missing") {
+  const Cloud cloud = numbered(50);
+  for (const std::string& extension : formats_with_fields()) {
+    CAPTURE(extension);
+    const Folder folder;
+    const std::string path = folder.file(name_of(extension));
+    write(cloud, path);
+    const Cloud one = read(path, with_fields("red? number? green?"));
+    REQUIRE(one.fields.size() == 1);
+    CHECK(numbers_of(one) == numbers_of(read(path)));
+    CHECK(read(path, with_fields("red?")).fields.size() == 0);
+    CHECK(failure_of([&] { read(path, with_fields("number? red")); }).status == Status::kNotFound);
+    CHECK(failure_of([&] { read(path, with_fields("?")); }).status == Status::kNotFound);
+  }
+}
+
 TEST_CASE("wanted_points__of_one_station_are_its_points_with_its_pose") {
   const Cloud cloud = two_stations();
   std::vector<std::string> extensions{"las", "ply", "xyz"};

@@ -41,6 +41,21 @@ TEST_CASE("las_stations__leave_a_field_of_their_name_alone") {
   CHECK(back.fields.find("station_2") == nullptr);
 }
 
+TEST_CASE("las_stations__come_back_without_any_field_wanted") {
+  Cloud cloud = two_stations(true);
+  cloud.fields.set(make_column<double>({"depth"}, std::vector<double>(cloud.size(), 0.5)));
+  const Folder folder;
+  write(cloud, folder.file("a.las"));
+  ReadSettings settings;
+  Task task;
+  for (const char* fields : {"-", "depth", "colour?"}) {
+    settings.fields = fields;
+    const Cloud back = read_cloud(folder.file("a.las"), settings, task);
+    check_same_stations(back, cloud);
+    CHECK(back.fields.size() == (settings.fields == "depth" ? 1 : 0));
+  }
+}
+
 TEST_CASE("las_stations__of_a_file_in_feet_come_back_in_metres") {
   Cloud cloud = two_stations();
   cloud.crs = "EPSG:2263";  // New York in US survey feet

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdlib>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+namespace jalon::cli {
+
+/// From now on large blocks go back to the system as soon as they are freed: glibc keeps those of up to 32 MiB for
+/// itself, those of several threads apart, and a step that takes blocks of other sizes finds no use for them. Comparing
+/// 5 million points takes a tenth less for it.
+inline void return_large_blocks() {
+#ifdef __GLIBC__
+  constexpr int kLarge = 2 << 20;
+  mallopt(M_MMAP_THRESHOLD, kLarge);
+#endif
+}
+
+/// Gives the system what the step before has freed.
+inline void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace jalon::cli
