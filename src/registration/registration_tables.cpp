@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/registration_tables.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "base/numbers.h"
 #include "base/table_columns.h"
+#include "registration/symmetric_eigen6.h"
 
 namespace jalon {
 
@@ -57,16 +57,12 @@ void add_stopped(const Registration& r, FieldTable& table) {
 }  // namespace
 
 std::array<PoseDirection, 6> pose_directions(const Square<6>& covariance, double extent_m) {
-  Eigen::Matrix<double, 6, 6> scaled;
-  for (size_t i = 0; i < 6; ++i)
-    for (size_t j = 0; j < 6; ++j)
-      scaled(i, j) = covariance[6 * i + j] * length_of(i, extent_m) * length_of(j, extent_m);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(scaled);
+  const Eigen6 eigen = symmetric_eigen(covariance, extent_m);
   std::array<PoseDirection, 6> out;
   for (size_t i = 0; i < 6; ++i) {
     const size_t weakest_first = 5 - i;
-    for (size_t k = 0; k < 6; ++k) out[i].unit[k] = solver.eigenvectors()(k, weakest_first);
-    out[i].sigma_m = std::sqrt(std::max(0.0, solver.eigenvalues()(weakest_first)));
+    out[i].unit = eigen.vectors[weakest_first];
+    out[i].sigma_m = std::sqrt(std::max(0.0, eigen.values[weakest_first]));
   }
   return out;
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/coarse/search.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 #include "base/parallel.h"
+#include "registration/symmetric_eigen6.h"
 
 namespace jalon {
 
@@ -81,19 +81,14 @@ Poses first_look(const PoseJudge& judge, const std::vector<PoseCandidate>& candi
 
 // Step 3: both ways along the three weakest of the six directions, turns and shifts made alike by the extent.
 Poses slides(const RankedPose& best, const Square<6>& fixed, const CoarseSurface& moving) {
-  Eigen::Matrix<double, 6, 6> scaled;
-  const auto unit_of = [&](Eigen::Index i) { return i < 3 ? 1 / moving.extent_m : 1.0; };
-  for (Eigen::Index i = 0; i < 6; ++i)
-    for (Eigen::Index k = 0; k < 6; ++k)
-      scaled(i, k) = fixed[static_cast<size_t>(6 * i + k)] * unit_of(i) * unit_of(k);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(scaled);
+  const Eigen6 eigen = symmetric_eigen(fixed, 1 / moving.extent_m);
   const Vec3 centre = best.T_reference_moving.point(moving.centroid);
   Poses out;
-  for (Eigen::Index weak = 0; weak < 3; ++weak)
+  for (size_t weak = 0; weak < 3; ++weak)
     for (const double way : {-kSlide * moving.cell_m, kSlide * moving.cell_m}) {
-      const auto d = solver.eigenvectors().col(weak);
-      const Vec3 turn = Vec3{d(0), d(1), d(2)} * (way / moving.extent_m);
-      const Vec3 shift = Vec3{d(3), d(4), d(5)} * way;
+      const Coefficients<6>& d = eigen.vectors[weak];
+      const Vec3 turn = Vec3{d[0], d[1], d[2]} * (way / moving.extent_m);
+      const Vec3 shift = Vec3{d[3], d[4], d[5]} * way;
       const Transform slide = motion_about(centre, turn, shift);
       out.push_back({slide * best.T_reference_moving, PoseSource::kSlide, {}});
     }

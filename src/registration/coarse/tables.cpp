@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/coarse/tables.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <numeric>
 
 #include "base/numbers.h"
 #include "base/table_columns.h"
 #include "registration/registration_tables.h"
+#include "registration/symmetric_eigen6.h"
 
 namespace jalon {
 
@@ -19,20 +20,13 @@ constexpr double kHeld = 0.05;
 
 // The weakest first. A start pose has no covariance worth the name: its sigmas are not known.
 std::array<PoseDirection, 6> directions_of(const Square<6>& fixed, double extent_m) {
-  Eigen::Matrix<double, 6, 6> scaled;
-  const auto unit_of = [&](Eigen::Index i) { return i < 3 ? 1 / extent_m : 1.0; };
-  for (Eigen::Index i = 0; i < 6; ++i)
-    for (Eigen::Index k = 0; k < 6; ++k)
-      scaled(i, k) = fixed[static_cast<size_t>(6 * i + k)] * unit_of(i) * unit_of(k);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(scaled);
-  const double least = kHeld * solver.eigenvalues().sum() / 6;
+  const Eigen6 eigen = symmetric_eigen(fixed, 1 / extent_m);
+  const double least = kHeld * std::accumulate(eigen.values.begin(), eigen.values.end(), 0.0) / 6;
   std::array<PoseDirection, 6> out;
   for (size_t i = 0; i < 6; ++i) {
-    const auto k = static_cast<Eigen::Index>(i);
-    for (size_t c = 0; c < 6; ++c)
-      out[i].unit[c] = solver.eigenvectors()(static_cast<Eigen::Index>(c), k);
+    out[i].unit = eigen.vectors[i];
     out[i].sigma_m = kNaN;
-    out[i].observable = solver.eigenvalues()(k) > least;
+    out[i].observable = eigen.values[i] > least;
   }
   return out;
 }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/icp/normal.h"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 #include "base/parallel.h"
+#include "registration/symmetric_eigen6.h"
 
 namespace jalon {
 
@@ -60,6 +60,16 @@ void add_pair(const IcpPair& pair, IcpMetric metric, const RobustKernel& kernel,
 void mirror_of_normal(Square<6>& m) {
   for (size_t r = 0; r < 6; ++r)
     for (size_t c = 0; c < r; ++c) m[6 * r + c] = m[6 * c + r];
+}
+
+double quadratic_form(const Square<6>& m, const Coefficients<6>& v) {
+  double sum = 0;
+  for (size_t r = 0; r < 6; ++r) {
+    double row = 0;
+    for (size_t c = 0; c < 6; ++c) row += m[6 * r + c] * v[c];
+    sum += v[r] * row;
+  }
+  return sum;
 }
 
 }  // namespace
@@ -127,16 +137,13 @@ std::vector<float> icp_residual_sample(const IcpPairing& at) {
 }
 
 IcpDirections icp_directions(const IcpSums& sums, double over_noise) {
-  using Matrix = Eigen::Matrix<double, 6, 6, Eigen::RowMajor>;
-  const Eigen::Map<const Matrix> normal(sums.normal.data()), noise(sums.noise.data());
-  const Eigen::SelfAdjointEigenSolver<Matrix> solver(normal - noise);
-  IcpDirections out;
-  const double strongest = solver.eigenvalues()(5);
+  Square<6> without_noise;
+  for (size_t i = 0; i < 36; ++i) without_noise[i] = sums.normal[i] - sums.noise[i];
+  const Eigen6 eigen = symmetric_eigen(without_noise, 1);  // turns are lengths already
+  IcpDirections out{.unit = eigen.vectors, .information = eigen.values};
+  const double strongest = out.information[5];
   for (size_t k = 0; k < 6; ++k) {
-    const auto v = solver.eigenvectors().col(static_cast<Eigen::Index>(k));
-    for (size_t i = 0; i < 6; ++i) out.unit[k][i] = v(static_cast<Eigen::Index>(i));
-    out.information[k] = solver.eigenvalues()(static_cast<Eigen::Index>(k));
-    const double of_noise = v.dot(noise * v);
+    const double of_noise = quadratic_form(sums.noise, out.unit[k]);
     out.observable[k] = out.information[k] > over_noise * of_noise &&
                         out.information[k] > kNormalLeastShare * strongest;
   }
