@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include "malformed_edits.h"
 #include "malformed_files.h"
 
 namespace malformed {
@@ -10,11 +11,6 @@ std::string pairs(const std::string& words) {
   std::string out;
   for (const char c : words) out += c == ' ' ? '\n' : c;
   return out + "\n";
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const size_t at = text.find(what);
-  return at == std::string::npos ? text : text.replace(at, what.size(), with);
 }
 
 // One of each kind that is read.

@@ -5,21 +5,11 @@
 #include <cstring>
 #include <limits>
 
+#include "malformed_edits.h"
+
 namespace malformed {
 
 namespace {
-
-template <class T>
-void put(std::string& bytes, size_t at, T value) {
-  if (at + sizeof value <= bytes.size())
-    std::memcpy(bytes.data() + at, &value, sizeof value);  // little-endian machines only
-}
-
-std::string repeated(const std::string& text, size_t times) {
-  std::string out;
-  for (size_t i = 0; i < times; ++i) out += text;
-  return out;
-}
 
 struct Field {
   size_t at, bytes;

@@ -3,22 +3,12 @@
 #include <cstring>
 #include <limits>
 
+#include "malformed_edits.h"
 #include "malformed_files.h"
 
 namespace malformed {
 
 namespace {
-
-std::string repeated(const std::string& text, size_t times) {
-  std::string out;
-  for (size_t i = 0; i < times; ++i) out += text;
-  return out;
-}
-
-std::string replaced(std::string text, const std::string& what, const std::string& with) {
-  const size_t at = text.find(what);
-  return at == std::string::npos ? text : text.replace(at, what.size(), with);
-}
 
 template <class T>
 void append(std::string& out, T value) {

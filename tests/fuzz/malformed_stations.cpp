@@ -3,16 +3,12 @@
 #include <cstdint>
 #include <cstring>
 
+#include "malformed_edits.h"
 #include "malformed_files.h"
 
 namespace malformed {
 
 namespace {
-
-template <class T>
-void put(std::string& out, size_t at, T value) {
-  std::memcpy(out.data() + at, &value, sizeof value);  // little-endian machines only
-}
 
 std::string record(const char* user, uint16_t id, const std::string& data) {
   std::string out(54, '\0');
