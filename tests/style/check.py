@@ -13,7 +13,7 @@ from captures import captured_bindings
 from mirrored import mirrored
 from one_definition import one_definition
 from rooms import CODE, ROOMS, bindings_alone, crowds, includes, layers, sublayers
-from signposts import citations, umbrella
+from signposts import citations, cycled_handles, umbrella
 from source import ROOT, Tally, public_functions, read, strings_of, tree_files, without_comments
 from tolerances import wide_tolerances
 
@@ -249,6 +249,7 @@ def main():
     tally.check("headers: fixed-width C types only", c_types_only())
     tally.check("headers: every function group has its comment", documented())
     tally.check("headers: jalon.h includes all of them and names all workers", umbrella())
+    tally.check("style: each kind of handle has its cycles in the reliability tests", cycled_handles())
     tally.check("capi: every public function in its file, every status from guard()", walls())
     tally.check("style: SPDX tags in every source file", spdx(files))
     tally.check("style: one version everywhere", version(build))

@@ -19,6 +19,15 @@ def umbrella():
                 yield "the comment of jalon.h forgets the %s" % noun
 
 
+def cycled_handles():
+    """Each kind of handle is made and given back over and over by the test of what handles keep, and no other is."""
+    headers = "\n".join(read("include/jalon/" + h) for h in sorted(os.listdir(os.path.join(ROOT, "include", "jalon"))))
+    kinds = set(re.findall(r"\bvoid (jalon_\w+)_release\(", headers))
+    cycled = set(re.findall(r'\{"(jalon_\w+)", \w+_cycle\}', read("tests/reliability/handles_test.c")))
+    for kind in sorted(kinds ^ cycled):
+        yield "%s is %s" % (kind, "in no cycle of tests/reliability/handles_test.c" if kind in kinds else "no kind of handle")
+
+
 # Notes that only some of us ever had, and the numbers of their steps, tables and scenes: a comment names author, year and
 # section of the source, or the plain reason.
 NOTES = r"(?:facade|feature|plane|joint)-(?:modelling|segmentation|codes|extraction|registration)\b" \
