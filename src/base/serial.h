@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
+#include <iterator>
 
 #include "base/task.h"
 
@@ -18,6 +20,22 @@ void serial_for(Task& task, size_t n, size_t grain, F&& f) {
     task.checkpoint(0);
     f(begin, std::min(n, begin + grain));
   }
+}
+
+/// Sorts on this thread, with looks for a cancel: runs that take some milliseconds, merged two by two. less: an order
+/// in which no two elements are equal but those that nothing tells apart, or what comes of it hangs on the runs.
+template <class Iterator, class Less = std::less<>>
+void serial_sort(Task& task, Iterator first, Iterator last, Less less = {}) {
+  constexpr size_t kRun = size_t{1} << 15;
+  const auto n = static_cast<size_t>(std::distance(first, last));
+  const auto at = [&](size_t i) {
+    return first + static_cast<std::iter_difference_t<Iterator>>(std::min(i, n));
+  };
+  serial_for(task, n, kRun, [&](size_t begin, size_t end) { std::sort(at(begin), at(end), less); });
+  for (size_t run = kRun; run < n; run *= 2)
+    serial_for(task, n, 2 * run, [&](size_t begin, size_t end) {
+      std::inplace_merge(at(begin), at(begin + run), at(end), less);
+    });
 }
 
 }  // namespace jalon

@@ -16,6 +16,7 @@ namespace {
 constexpr double kDelaunay2MaxSteps = 0x1p30;
 /// Sub-problems of about this size ask whether to stop: a few milliseconds apart.
 constexpr size_t kCheckpointNodes = 2048;
+constexpr uint32_t kEdgesPerLook = 1 << 16;
 
 struct Node {
   int64_t x, y;
@@ -217,6 +218,7 @@ Delaunay::Impl::Hull Delaunay::Impl::triangulate(size_t first, size_t count) {
 
 void Delaunay::Impl::collect() {
   for (uint32_t e = 0; e < edges.size(); ++e) {
+    if (task != nullptr && e % kEdgesPerLook == 0) task->checkpoint(0);
     if (origin(e) == kDead) continue;
     const uint32_t f = lnext(e), g = lnext(f);
     if (f < e || g < e || lnext(g) != e) continue;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/serial.h"
+
 namespace jalon {
 
 namespace {
@@ -40,7 +42,7 @@ NodeCell cell_at(const Vec2& p, double cell_m) {
 }
 
 // Where all fits, cell and index are sorted as one number.
-std::vector<uint32_t> order_of_cells(std::span<const NodeCell> cells) {
+std::vector<uint32_t> order_of_cells(std::span<const NodeCell> cells, Task& task) {
   std::vector<uint32_t> order(cells.size());
   const CellBox box(cells);
   const auto row_bits = static_cast<int>(std::bit_width(box.rows())),
@@ -52,13 +54,13 @@ std::vector<uint32_t> order_of_cells(std::span<const NodeCell> cells) {
       const auto row = static_cast<uint64_t>(cells[i].row - box.low.row);
       keys[i] = (column << row_bits | row) << index_bits | i;
     }
-    std::sort(keys.begin(), keys.end());
+    serial_sort(task, keys.begin(), keys.end());
     const uint64_t index = (uint64_t{1} << index_bits) - 1;
     for (size_t k = 0; k < keys.size(); ++k) order[k] = static_cast<uint32_t>(keys[k] & index);
     return order;
   }
   std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+  serial_sort(task, order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
     return cells[a] != cells[b] ? cells[a] < cells[b] : a < b;
   });
   return order;

@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "geometry/vec.h"
 
 namespace jalon {
@@ -23,7 +24,7 @@ struct NodeCell {
 NodeCell cell_at(const Vec2& p, double cell_m);
 
 /// Indices of the cells in the order of these, equal ones in their own.
-std::vector<uint32_t> order_of_cells(std::span<const NodeCell> cells);
+std::vector<uint32_t> order_of_cells(std::span<const NodeCell> cells, Task& task);
 
 /// Which node stands in a cell: open addressing, half full.
 class NodeTable {

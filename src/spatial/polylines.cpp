@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "base/serial.h"
 #include "spatial/node_cells.h"
 
 namespace jalon {
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kFilled =
     6;  // of the eight cells about a node: a line has two to four, and a corner five
+constexpr size_t kNodesPerLook = size_t{1} << 14;
 
 double squared_between(const Vec2& a, const Vec2& b) {
   const Vec2 d = b - a;
@@ -30,8 +32,9 @@ std::vector<NodeCell> cells_of(std::span<const ProfileNode> nodes, double cell_m
 // Walks over nodes that stand in the order of their cells.
 class Chainer {
  public:
-  Chainer(std::span<const ProfileNode> nodes, double cell_m, double gap_m)
+  Chainer(std::span<const ProfileNode> nodes, double cell_m, double gap_m, Task& task)
       : nodes_(nodes),
+        task_(task),
         gap_m_(gap_m),
         cell_m_(cell_m),
         used_(nodes.size(), 0),
@@ -79,8 +82,10 @@ class Chainer {
   // Where a surface lies in the slice its nodes fill an area, which has no profile but its edge.
   void leave_out_faces() {
     std::vector<uint32_t> inside;
-    for (uint32_t i = 0; i < nodes_.size(); ++i)
-      if (nodes_around(i) >= kFilled) inside.push_back(i);
+    serial_for(task_, nodes_.size(), kNodesPerLook, [&](size_t begin, size_t end) {
+      for (auto i = static_cast<uint32_t>(begin); i < end; ++i)
+        if (nodes_around(i) >= kFilled) inside.push_back(i);
+    });
     for (const uint32_t i : inside) use(i);
   }
 
@@ -89,6 +94,7 @@ class Chainer {
     for (uint32_t next = nearest(from); next != kNoNode; next = nearest(next)) {
       use(next);
       chain.push_back(next);
+      if (++walked_ % kNodesPerLook == 0) task_.checkpoint(0);
     }
     return chain;
   }
@@ -135,6 +141,8 @@ class Chainer {
   }
 
   std::span<const ProfileNode> nodes_;
+  Task& task_;
+  size_t walked_ = 0;
   double gap_m_, cell_m_;
   std::vector<uint8_t> used_;
   int64_t rings_;
@@ -164,13 +172,16 @@ uint32_t farthest(std::span<const Vec2> chain, uint32_t from, uint32_t to, doubl
 }  // namespace
 
 std::vector<ProfileNode> thin_points(std::span<const Vec2> points, double cell_m,
-                                     std::vector<uint32_t>& order) {
+                                     std::vector<uint32_t>& order, Task& task) {
   std::vector<NodeCell> cells;
   cells.reserve(points.size());
-  for (const Vec2& p : points) cells.push_back(cell_at(p, cell_m));
-  order = order_of_cells(cells);
+  serial_for(task, points.size(), kNodesPerLook, [&](size_t begin, size_t end) {
+    for (const Vec2& p : points.subspan(begin, end - begin)) cells.push_back(cell_at(p, cell_m));
+  });
+  order = order_of_cells(cells, task);
   std::vector<ProfileNode> nodes;
   for (uint32_t i = 0; i < order.size();) {
+    if (nodes.size() % kNodesPerLook == 0) task.checkpoint(0);
     ProfileNode node{{0, 0}, i, 0};
     const NodeCell own = cells[order[i]];
     for (; i < order.size() && cells[order[i]] == own; ++i) {
@@ -183,11 +194,13 @@ std::vector<ProfileNode> thin_points(std::span<const Vec2> points, double cell_m
   return nodes;
 }
 
-std::vector<uint32_t> fullest_neighbours(std::span<const ProfileNode> nodes, double cell_m) {
+std::vector<uint32_t> fullest_neighbours(std::span<const ProfileNode> nodes, double cell_m,
+                                         Task& task) {
   const std::vector<NodeCell> cells = cells_of(nodes, cell_m);
   const NodeTable table(cells);
   std::vector<uint32_t> out(nodes.size());
   for (uint32_t i = 0; i < nodes.size(); ++i) {
+    if (i % kNodesPerLook == 0) task.checkpoint(0);
     out[i] = i;
     uint32_t most = 0;
     for (int64_t c = -1; c <= 1; ++c)
@@ -202,8 +215,8 @@ std::vector<uint32_t> fullest_neighbours(std::span<const ProfileNode> nodes, dou
 }
 
 std::vector<std::vector<uint32_t>> chain_nodes(std::span<const ProfileNode> nodes, double cell_m,
-                                               double gap_m) {
-  return Chainer(nodes, cell_m, gap_m).run();
+                                               double gap_m, Task& task) {
+  return Chainer(nodes, cell_m, gap_m, task).run();
 }
 
 // With a stack of its own in the place of recursion: a chain may have a million points.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/serial.h"
 #include "cloud/sections/section_pieces.h"
 
 namespace jalon {
@@ -17,7 +18,8 @@ constexpr double kMostCellGaps = 0.5;  // of a gap: larger cells would bridge it
 constexpr uint32_t kSparse = 3;        // times as many points have cells that take a neighbour's
 constexpr double kHopCells = 3;        // a longer step back beside the chain is none of its own
 constexpr double kBesideCells = 2;
-constexpr size_t kLeastOfLoop = 4;  // nodes
+constexpr size_t kLeastOfLoop = 4;          // nodes
+constexpr uint32_t kNodesOfLook = 1 << 13;  // with their points: below 10 ms
 
 class LineMaker {
  public:
@@ -29,7 +31,7 @@ class LineMaker {
     if (points_.size() < 2) return lines;
     thin();
     const SectionPieces pieces_of(points_, nodes_, order_, cell_m_, settings_.tolerance_m);
-    for (auto& chain : chain_nodes(nodes_, cell_m_, settings_.gap_m)) {
+    for (auto& chain : chain_nodes(nodes_, cell_m_, settings_.gap_m, task_)) {
       task_.checkpoint(0);
       leave_stragglers(chain);
       if (chain.size() < 2) continue;
@@ -47,7 +49,7 @@ class LineMaker {
     cell_m_ = settings_.tolerance_m;
     for (;;) {
       task_.checkpoint(0);
-      nodes_ = thin_points(points_, cell_m_, order_);
+      nodes_ = thin_points(points_, cell_m_, order_, task_);
       const bool filled = static_cast<double>(points_.size()) >=
                           kPointsPerCell * static_cast<double>(nodes_.size());
       if (filled || 2 * cell_m_ > kMostCellGaps * settings_.gap_m) break;
@@ -59,10 +61,10 @@ class LineMaker {
   // The few points that noise puts into the next cell go to the cell that has the others, or a chain would pass it by
   // and come back for it.
   void join_sparse_cells() {
-    task_.checkpoint(0);
-    const std::vector<uint32_t> into = fullest_neighbours(nodes_, cell_m_);
+    const std::vector<uint32_t> into = fullest_neighbours(nodes_, cell_m_, task_);
     std::vector<uint32_t> root(nodes_.size());
     for (uint32_t i = 0; i < nodes_.size(); ++i) {
+      if (i % kNodesOfLook == 0) task_.checkpoint(0);
       root[i] = i;
       while (nodes_[into[root[i]]].count >= kSparse * nodes_[root[i]].count)
         root[i] = into[root[i]];
@@ -72,6 +74,7 @@ class LineMaker {
     std::vector<ProfileNode> joined;
     std::vector<uint32_t> order;
     for (uint32_t i = 0; i < nodes_.size(); ++i) {
+      if (i % kNodesOfLook == 0) task_.checkpoint(0);
       if (members[i].empty()) continue;
       joined.push_back({nodes_[i].middle, static_cast<uint32_t>(order.size()), 0});
       for (const uint32_t member : members[i]) {
@@ -210,9 +213,8 @@ std::vector<SectionLine> section_lines(std::span<const Vec2> points,
                                        const SectionSettings& settings, double& cell_m,
                                        Task& task) {
   std::vector<Vec2> sorted(points.begin(), points.end());
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Vec2& a, const Vec2& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
-  task.checkpoint(0);
+  serial_sort(task, sorted.begin(), sorted.end(),
+              [](const Vec2& a, const Vec2& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
   LineMaker maker(sorted, settings, task);
   std::vector<SectionLine> lines = maker.run();
   cell_m = maker.cell_m();

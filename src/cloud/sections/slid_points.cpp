@@ -15,8 +15,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kSlidPerLook = 1 << 12;
-constexpr double kSlideCells = 2;     // thicknesses: so that a lean shows beside the noise
-constexpr uint64_t kSlideLeast = 12;  // points of a plane
+constexpr size_t kCellsOfLook = 1 << 8;  // with a plane each
+constexpr double kSlideCells = 2;        // thicknesses: so that a lean shows beside the noise
+constexpr uint64_t kSlideLeast = 12;     // points of a plane
 // Of the tolerance, which is four sigma of the points: what one surface leaves at most (rms).
 constexpr double kSurfaceShare = 0.35;
 // Reached for where the planes next to a point, by a corner, have another surface in them.
@@ -48,7 +49,7 @@ class Slider {
     });
     size_t done = 0;
     for (const auto& [cell, own] : sums_) {
-      if (done++ % kSlidPerLook == 0) task.checkpoint(0);
+      if (done++ % kCellsOfLook == 0) task.checkpoint(0);
       add_plane(cell);
     }
   }
@@ -113,7 +114,7 @@ std::vector<Vec2> slid_points(std::vector<Vec3> points, double thickness_m, doub
                               Task& task) {
   std::vector<Vec2> out;
   if (points.empty()) return out;
-  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
+  serial_sort(task, points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
     return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
   });
   const Slider slider(points, thickness_m, tolerance_m, task);

@@ -71,11 +71,13 @@ double iterate(const std::vector<Vec3>& sample, const MatchSurface& after, doubl
 }
 
 Transform iterated(const std::vector<Vec3>& sample, const MatchSurface& before,
-                   const MatchSurface& after, const Transform& start, double tolerance_m) {
+                   const MatchSurface& after, const Transform& start, double tolerance_m,
+                   Task& task) {
   MotionModel model(start, before.centroid());
   const double size_m = norm(before.box().max - before.box().min);
   double reach_m = std::max(size_m / 4, tolerance_m);
   for (int k = 0; k < kIterations; ++k) {
+    task.checkpoint(0);
     const double step_m = iterate(sample, after, reach_m, size_m, model);
     if (step_m < 0 || (reach_m <= tolerance_m && step_m < kSmallStep * tolerance_m)) break;
     reach_m = std::max(reach_m * kShrink, tolerance_m);
@@ -172,7 +174,7 @@ RigidMatch match_rigidly(const MatchSurface& before, const MatchSurface& after,
   std::vector<Transform> motions = match_starts(before, after, setting);
   parallel_for(task, motions.size(), 1, [&](size_t begin, size_t end) {
     for (size_t k = begin; k < end; ++k)
-      motions[k] = iterated(sample, before, after, motions[k], setting.tolerance_m);
+      motions[k] = iterated(sample, before, after, motions[k], setting.tolerance_m, task);
   });
   for (const Transform& motion : motions) {
     const double explained = explained_by(motion, sample, other, before, after, setting, task);

@@ -19,6 +19,7 @@ constexpr double kLeastLocal = 0.7, kMostLocal = 2;
 // Two rows of points have a standard deviation of half a spacing across them.
 constexpr double kStringOfSpacing = 0.3;
 constexpr size_t kBandCellsPerLook = 1 << 13;
+constexpr size_t kTrianglesPerBandLook = size_t{1} << 17;
 
 // Spacing about a cell: the occupied ones of the 5 x 5 cells around it.
 float spacing_about(const CellRows& rows, size_t cell) {
@@ -95,8 +96,7 @@ double squared(const Vec2& d) { return dot(d, d); }
 
 ContourBand contour_band(std::span<const Vec2> points, double cell_m, double spacing_m,
                          const std::function<bool(uint32_t)>& foreign, Task& task) {
-  const CellRows rows = sort_into_cells(points, cell_m);
-  task.checkpoint(0);
+  const CellRows rows = sort_into_cells(points, cell_m, task);
   const std::vector<uint8_t> occupied(rows.keys.size(), 1);
   const auto inner = eroded(rows, occupied), deep = eroded(rows, inner);
   const auto strings = strings_of(rows, points, deep, spacing_m, task);
@@ -131,7 +131,9 @@ std::vector<Triangle2> short_triangles(const ContourBand& band, double max_edge_
   const auto is_long = [&](uint32_t a, uint32_t b) {
     return squared(band.points[a] - band.points[b]) > limit;
   };
+  size_t seen = 0;
   std::erase_if(triangles, [&](const Triangle2& t) {
+    if (seen++ % kTrianglesPerBandLook == 0) task.checkpoint(0);
     return !is_inner(band, t) &&
            (is_long(t[0], t[1]) || is_long(t[1], t[2]) || is_long(t[2], t[0]));
   });
@@ -147,7 +149,9 @@ std::vector<Triangle2> alpha_triangles(const ContourBand& band, double radius_m,
         std::max({band.spacing_m[t[0]], band.spacing_m[t[1]], band.spacing_m[t[2]]});
     return radius_m * std::clamp(local / typical_m, kLeastLocal, kMostLocal);
   };
+  size_t seen = 0;
   std::erase_if(triangles, [&](const Triangle2& t) {
+    if (seen++ % kTrianglesPerBandLook == 0) task.checkpoint(0);
     if (is_inner(band, t)) return false;
     const Vec2 a = band.points[t[1]] - band.points[t[0]], b = band.points[t[2]] - band.points[t[1]],
                c = band.points[t[0]] - band.points[t[2]];

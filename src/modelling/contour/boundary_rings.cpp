@@ -56,15 +56,17 @@ HalfEdges pair_half_edges(std::span<const Triangle2> triangles, size_t points, T
 }
 
 // Piece of each triangle, numbered by first triangle; returns how many.
-uint32_t label_pieces(const HalfEdges& edges, std::vector<uint32_t>& piece) {
+uint32_t label_pieces(const HalfEdges& edges, std::vector<uint32_t>& piece, Task& task) {
   piece.assign(edges.triangles.size(), kNone);
   uint32_t count = 0;
   std::vector<uint32_t> stack;
+  size_t labelled = 0;
   for (uint32_t seed = 0; seed < piece.size(); ++seed) {
     if (piece[seed] != kNone) continue;
     piece[seed] = count;
     stack.assign(1, seed);
     while (!stack.empty()) {
+      if (labelled++ % kHalfEdgesPerLook == 0) task.checkpoint(0);
       const uint32_t t = stack.back();
       stack.pop_back();
       for (uint32_t h = 3 * t; h < 3 * t + 3; ++h) {
@@ -111,12 +113,13 @@ std::vector<BoundaryPiece> boundary_rings(std::span<const Triangle2> triangles,
                                           std::span<const Vec2> points, Task& task) {
   const HalfEdges edges = pair_half_edges(triangles, points.size(), task);
   std::vector<uint32_t> piece_of;
-  std::vector<BoundaryPiece> pieces(label_pieces(edges, piece_of));
-  task.checkpoint(0);
-  for (size_t t = 0; t < triangles.size(); ++t) {
-    const auto& [a, b, c] = triangles[t];
-    pieces[piece_of[t]].area += 0.5 * cross(points[b] - points[a], points[c] - points[a]);
-  }
+  std::vector<BoundaryPiece> pieces(label_pieces(edges, piece_of, task));
+  serial_for(task, triangles.size(), kHalfEdgesPerLook, [&](size_t begin, size_t end) {
+    for (size_t t = begin; t < end; ++t) {
+      const auto& [a, b, c] = triangles[t];
+      pieces[piece_of[t]].area += 0.5 * cross(points[b] - points[a], points[c] - points[a]);
+    }
+  });
   std::vector<uint8_t> used(edges.twin.size(), 0);
   std::vector<uint32_t> walk, position(points.size(), kNone);
   for (uint32_t start = 0; start < used.size(); ++start) {

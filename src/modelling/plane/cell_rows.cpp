@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "base/serial.h"
+
 namespace jalon {
 
 namespace {
@@ -13,36 +15,44 @@ namespace {
 constexpr double kMaxCells = 0x1p30;  // rows and columns, well inside 31 bits
 constexpr uint64_t kRow = uint64_t{1} << 32;
 
+constexpr size_t kRowPointsPerLook = size_t{1} << 16;  // each in another place: some milliseconds
+constexpr uint64_t kRowCellsPerLook = uint64_t{1} << 20;
+
 constexpr uint64_t kDenseCells = 8,
                    kDenseFloor = 65536;  // a counter a cell pays off up to so many cells a point
 
 // Counting sort: O(points + cells).
-void count_into_cells(std::span<const Vec2> points, uint64_t columns, uint64_t rows,
-                      CellRows& out) {
+void count_into_cells(std::span<const Vec2> points, uint64_t columns, uint64_t rows, CellRows& out,
+                      Task& task) {
   const auto cell_of = [&](const Vec2& p) {
     const uint64_t key = out.key_of(p);
     return ((key >> 32) - 1) * columns + (key & 0xffffffffu) - 1;
   };
   std::vector<uint32_t> next(rows * columns, 0);
-  for (const Vec2& p : points) ++next[cell_of(p)];
-  uint32_t begin = 0;
+  serial_for(task, points.size(), kRowPointsPerLook, [&](size_t begin, size_t end) {
+    for (const Vec2& p : points.subspan(begin, end - begin)) ++next[cell_of(p)];
+  });
+  uint32_t before = 0;  // points in the cells before
   for (uint64_t cell = 0; cell < next.size(); ++cell) {
+    if (cell % kRowCellsPerLook == 0) task.checkpoint(0);
     if (next[cell] == 0) continue;
     out.keys.push_back((cell / columns + 1) << 32 | (cell % columns + 1));
-    out.first.push_back(begin);
-    begin += std::exchange(next[cell], begin);
+    out.first.push_back(before);
+    before += std::exchange(next[cell], before);
   }
   out.order.resize(points.size());
-  for (size_t i = 0; i < points.size(); ++i)
-    out.order[next[cell_of(points[i])]++] = static_cast<uint32_t>(i);
+  serial_for(task, points.size(), kRowPointsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      out.order[next[cell_of(points[i])]++] = static_cast<uint32_t>(i);
+  });
 }
 
 // Few points in a wide raster: O(n log n).
-void compare_into_cells(std::span<const Vec2> points, CellRows& out) {
+void compare_into_cells(std::span<const Vec2> points, CellRows& out, Task& task) {
   std::vector<std::pair<uint64_t, uint32_t>> keyed(points.size());
   for (size_t i = 0; i < points.size(); ++i)
     keyed[i] = {out.key_of(points[i]), static_cast<uint32_t>(i)};
-  std::sort(keyed.begin(), keyed.end());
+  serial_sort(task, keyed.begin(), keyed.end());
   out.order.resize(points.size());
   for (size_t i = 0; i < keyed.size(); ++i) {
     out.order[i] = keyed[i].second;
@@ -65,7 +75,7 @@ size_t CellRows::find(uint64_t key) const {
   return it != keys.end() && *it == key ? static_cast<size_t>(it - keys.begin()) : keys.size();
 }
 
-CellRows sort_into_cells(std::span<const Vec2> points, double cell_m) {
+CellRows sort_into_cells(std::span<const Vec2> points, double cell_m, Task& task) {
   CellRows out;
   Vec2 low = points.front(), high = points.front();
   for (const Vec2& p : points) {
@@ -77,8 +87,8 @@ CellRows sort_into_cells(std::span<const Vec2> points, double cell_m) {
   if (!(out.cell_m > 0)) out.cell_m = 1;
   const uint64_t last = out.key_of(high), columns = (last & 0xffffffffu), rows = last >> 32;
   if (rows * columns <= kDenseCells * points.size() + kDenseFloor)
-    count_into_cells(points, columns, rows, out);
-  else compare_into_cells(points, out);
+    count_into_cells(points, columns, rows, out, task);
+  else compare_into_cells(points, out, task);
   out.first.push_back(static_cast<uint32_t>(points.size()));
   return out;
 }

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "geometry/vec.h"
 
 namespace jalon {
@@ -31,7 +32,7 @@ struct CellRows {
 
 /// Before: points not empty, finite; cell_m above 0. After: every point is in one cell; cell_m is
 /// enlarged where rows or columns would not fit 31 bits. O(n log n).
-CellRows sort_into_cells(std::span<const Vec2> points, double cell_m);
+CellRows sort_into_cells(std::span<const Vec2> points, double cell_m, Task& task);
 
 /// 1 for marked cells whose eight neighbours are all marked. marked: one a cell, as the result.
 /// O(cells).
@@ -42,8 +43,8 @@ struct PointRows {
   std::vector<Vec2> points;
   CellRows rows;
 
-  void sort(double cell_m) {
-    if (!points.empty()) rows = sort_into_cells(points, cell_m);
+  void sort(double cell_m, Task& task) {
+    if (!points.empty()) rows = sort_into_cells(points, cell_m, task);
   }
   /// f(i) for the points of all cells that meet the box.
   template <class F>

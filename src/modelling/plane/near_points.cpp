@@ -14,7 +14,7 @@ namespace {
 
 // Octree cells of about the reach: larger ones bring points that are of no use, smaller ones more look-ups.
 constexpr double kCellsPerReach = 0.75;
-constexpr size_t kCellsPerLook = 256, kCornersPerLook = 64;
+constexpr size_t kCellsPerLook = 256;
 constexpr size_t kCodesBeforeSort = 1 << 20, kCodesPerLook = 1 << 17;
 
 int level_for(const Cube& cube, double edge_m) {
@@ -46,17 +46,9 @@ void add_cells(const Cube& cube, int level, const PlaneFrame& frame, const Vec2&
       for (uint32_t z = low[2]; z <= high[2]; ++z) codes.push_back(morton_code(x, y, z));
 }
 
-// Ascending, each once; there may be tens of millions, so that the sort is one of runs, merged two by two.
+// Ascending, each once; there may be tens of millions.
 void leave_one_of_each(std::vector<uint64_t>& codes, Task& task) {
-  const auto at = [&](size_t i) {
-    return codes.begin() + static_cast<ptrdiff_t>(std::min(i, codes.size()));
-  };
-  serial_for(task, codes.size(), kCodesPerLook,
-             [&](size_t begin, size_t end) { std::sort(at(begin), at(end)); });
-  for (size_t run = kCodesPerLook; run < codes.size(); run *= 2)
-    serial_for(task, codes.size(), 2 * run, [&](size_t begin, size_t end) {
-      std::inplace_merge(at(begin), at(begin + run), at(end));
-    });
+  serial_sort(task, codes.begin(), codes.end());
   codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
 }
 
@@ -66,19 +58,25 @@ std::vector<uint64_t> cells_along(const Octree& tree, int level, const PlaneFram
                                   const NearSetting& setting, Task& task) {
   const double edge = tree.cube().edge * std::ldexp(1.0, -level);
   std::vector<uint64_t> codes;
+  size_t next_look = 0;
   size_t most = kCodesBeforeSort;  // twice what is left of them, or each corner would sort them all
   for (const auto& ring : rings)
     for (size_t i = 0; i < ring.size(); ++i) {
-      if (i % kCornersPerLook == 0) task.checkpoint(0);
       const Vec2 a = ring[i], step = ring[(i + 1) % ring.size()] - a;
       const double pieces = std::max(1.0, std::ceil(norm(step) / edge));
       const double half = norm(step) / pieces / 2;
-      for (double k = 0; k < pieces; ++k)
+      for (double k = 0; k < pieces; ++k) {
+        if (codes.size() >= next_look) {  // a long edge may have millions
+          task.checkpoint(0);
+          next_look = codes.size() + kCodesPerLook;
+        }
         add_cells(tree.cube(), level, frame, a + step * ((k + 0.5) / pieces),
                   setting.reach_m + half, setting.depth_m, codes);
+      }
       if (codes.size() <= most) continue;
       leave_one_of_each(codes, task);
       most = std::max(most, 2 * codes.size());
+      next_look = codes.size();
     }
   leave_one_of_each(codes, task);
   return codes;
@@ -112,8 +110,7 @@ NearPoints points_near(const Segmentation& segmentation, const Octree& tree,
   serial_for(task, codes.size(), kCellsPerLook, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) take(codes[i]);
   });
-  task.checkpoint(0);
-  out.sort(setting.reach_m);
+  out.sort(setting.reach_m, task);
   return out;
 }
 

@@ -57,7 +57,7 @@ double typical_spacing(std::span<const Vec2> points, Task& task) {
   // Cells of about four points if the points filled their box; a narrow or sparse segment has fuller cells.
   const double cell = std::max(2 * std::sqrt(du * dv / n), 2 * std::max(du, dv) / n);
   if (!(cell > 0)) return 0;
-  const CellRows rows = sort_into_cells(points, cell);
+  const CellRows rows = sort_into_cells(points, cell, task);
   const size_t step = (points.size() + kSamples - 1) / kSamples;
   std::vector<double> spacings;
   for (size_t i = 0; i < points.size(); i += step) {

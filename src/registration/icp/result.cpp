@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/numbers.h"
+#include "base/serial.h"
 #include "base/table_columns.h"
 #include "registration/icp/covariance.h"
 
@@ -35,12 +36,14 @@ FieldTable log_table(const std::vector<IcpIteration>& log) {
   return t;
 }
 
+constexpr size_t kResidualsPerLook = size_t{1} << 16;
+
 struct Residual {
   uint32_t moving, reference;
   float residual_m, weight;
 };
 
-FieldTable residual_table(const IcpProblem& problem, const IcpState& state) {
+FieldTable residual_table(const IcpProblem& problem, const IcpState& state, Task& task) {
   std::vector<Residual> rows;
   const auto of_reference = problem.clouds.reference.tree->order();
   const auto of_moving = problem.clouds.moving.tree->order();
@@ -49,21 +52,26 @@ FieldTable residual_table(const IcpProblem& problem, const IcpState& state) {
   const IcpPairing at = state.pairing(problem, all);
   IcpPair pair;
   const bool has_all = state.has_all(problem);  // else the iterations ended on few points
-  for (size_t i = 0; has_all && i < near.size(); ++i) {
-    const uint32_t m = static_cast<uint32_t>(i), r = near[i];
-    if (r == kNoPoint || !pair_of(at, m, r, PairWay::kForth, pair)) continue;
-    rows.push_back({problem.thinned_moving.raw(of_moving[m]),
-                    problem.thinned_reference.raw(of_reference[r]),
-                    static_cast<float>(pair.residual_m),
-                    static_cast<float>(state.last.kernel.weight(pair.residual_m))});
-  }
+  serial_for(task, has_all ? near.size() : 0, kResidualsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const uint32_t m = static_cast<uint32_t>(i), r = near[i];
+      if (r == kNoPoint || !pair_of(at, m, r, PairWay::kForth, pair)) continue;
+      rows.push_back({problem.thinned_moving.raw(of_moving[m]),
+                      problem.thinned_reference.raw(of_reference[r]),
+                      static_cast<float>(pair.residual_m),
+                      static_cast<float>(state.last.kernel.weight(pair.residual_m))});
+    }
+  });
   FieldTable t;
   add_column<uint32_t>(t, rows, "moving", "", "index of the point",
                        [](const Residual& r) { return r.moving; });
+  task.checkpoint(0);
   add_column<uint32_t>(t, rows, "reference", "", "index of its partner",
                        [](const Residual& r) { return r.reference; });
+  task.checkpoint(0);
   add_column<float>(t, rows, "residual", "m", "moved point above the partner's plane",
                     [](const Residual& r) { return r.residual_m; });
+  task.checkpoint(0);
   add_column<float>(t, rows, "weight", "1", "of the kernel",
                     [](const Residual& r) { return r.weight; });
   return t;
@@ -94,7 +102,7 @@ Registration icp_result(const IcpProblem& problem, const IcpState& state, Task& 
   out.iterations = state.log.size();
   out.rms_m = state.log.empty() ? 0 : state.log.back().rms_m;
   out.iteration_log = log_table(state.log);
-  out.residuals = residual_table(problem, state);
+  out.residuals = residual_table(problem, state, task);
   add_value<double>(out.summary, "kept", "1", "share of the moving points that have a pair",
                     state.log.empty() ? 0 : state.log.back().kept);
   add_value<double>(out.summary, "sigma", "m", "of the residuals, robust", state.sigma_m);

@@ -18,6 +18,7 @@ namespace {
 
 constexpr float kPlanesNone = std::numeric_limits<float>::infinity();
 constexpr size_t kNoiseSample = 1 << 12;
+constexpr size_t kLookedUpPerLook = 256;   // some 20 us each in a large cloud
 constexpr size_t kMedianSample = 1 << 14;  // a median of so many is within 1 % of that of all
 // Of the median scatter. A scatter of 13 degrees of freedom is that large once in ten thousand; across an edge it is a
 // multiple of it.
@@ -64,10 +65,12 @@ SurfacePlane face_plane(const Octree& tree, size_t position, std::span<const uin
 }
 
 // Median scatter of an even sample of neighbourhoods.
-double noise_of(const Octree& tree, uint32_t k) {
+double noise_of(const Octree& tree, uint32_t k, Task& task) {
   std::vector<float> sigmas;
   std::vector<Neighbour> found(k);
+  size_t looked_up = 0;
   for (size_t i = 0; i < tree.size(); i += tree.size() / kNoiseSample + 1) {
+    if (looked_up++ % kLookedUpPerLook == 0) task.checkpoint(0);
     const size_t n = tree.knn_positions(tree.cube().origin + tree.local(i), k, found);
     PlanePoints points;
     Vec3 sum;
@@ -110,7 +113,7 @@ SurfacePlanes surface_planes(std::shared_ptr<const Octree> tree, uint32_t k, Tas
   const double step = out.tree->grid_step();
   const size_t used = std::min<size_t>(k, out.tree->size());  // the places behind are empty
   SurfacePlane* to = out.planes.data();
-  out.noise_m = noise_of(*out.tree, static_cast<uint32_t>(used));
+  out.noise_m = noise_of(*out.tree, static_cast<uint32_t>(used), task);
   out.flat_m = kFlat * out.noise_m;
   out.tree->for_each_knn(k, task, [&](const Octree::Batch& b) {
     const auto write = [&](const NeighbourPlane& plane) {

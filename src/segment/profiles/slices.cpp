@@ -16,7 +16,8 @@ namespace jalon {
 namespace {
 
 constexpr size_t kSlicePointsPerChunk = 1 << 16;
-constexpr size_t kLeastLineNodes = 3;  // two points are always on one line
+constexpr size_t kSlicePointsPerLook = 1 << 15;  // all over the cloud, some 100 ns each
+constexpr size_t kLeastLineNodes = 3;            // two points are always on one line
 constexpr size_t kMostSlices = 1 << 20;
 constexpr uint32_t kBetweenSlices = 0xffffffffu;
 
@@ -120,7 +121,8 @@ bool fit_line(std::span<const Vec2> run, double tolerance_m, ProfileLine& line) 
 
 class SliceLines {
  public:
-  SliceLines(const SegmentScene& scene, const SliceRule& rule) : scene_(scene), rule_(rule) {
+  SliceLines(const SegmentScene& scene, const SliceRule& rule, Task& task)
+      : scene_(scene), rule_(rule), task_(task) {
     const SurfaceAxes axes = plane_axes(rule.axis);
     axes_ = {axes.u, axes.v};
     const double half = scene.tree->cube().edge / 2;
@@ -129,14 +131,17 @@ class SliceLines {
 
   std::vector<ProfileLine> of(uint32_t slice, std::span<const uint32_t> positions) const {
     std::vector<Vec2> flat;
-    for (const uint32_t position : positions) {
-      const Vec3 p = scene_.local(position);
-      flat.push_back({dot(p, axes_.u), dot(p, axes_.v)});
-    }
+    serial_for(task_, positions.size(), kSlicePointsPerLook, [&](size_t begin, size_t end) {
+      for (const uint32_t position : positions.subspan(begin, end - begin)) {
+        const Vec3 p = scene_.local(position);
+        flat.push_back({dot(p, axes_.u), dot(p, axes_.v)});
+      }
+    });
     std::vector<uint32_t> order;
-    const std::vector<ProfileNode> nodes = thin_points(flat, rule_.cell_m, order);
+    const std::vector<ProfileNode> nodes = thin_points(flat, rule_.cell_m, order, task_);
     std::vector<ProfileLine> lines;
-    for (const auto& chain : chain_nodes(nodes, rule_.cell_m, rule_.gap_m)) {
+    for (const auto& chain : chain_nodes(nodes, rule_.cell_m, rule_.gap_m, task_)) {
+      task_.checkpoint(0);
       std::vector<Vec2> middles;
       for (const uint32_t node : chain) middles.push_back(nodes[node].middle);
       const std::vector<uint32_t> kept = simplify(middles, rule_.tolerance_m);
@@ -171,6 +176,7 @@ class SliceLines {
 
   const SegmentScene& scene_;
   const SliceRule& rule_;
+  Task& task_;
   SliceAxes axes_;
   Vec3 reference_;
 };
@@ -181,7 +187,7 @@ std::vector<ProfileLine> profile_lines(const SegmentScene& scene, const SliceRul
                                        Task& task) {
   const SliceNumbers numbers = number_slices(scene, rule, task);
   const SlicedPoints sliced = points_of_slices(scene, numbers, task);
-  const SliceLines lines_of(scene, rule);
+  const SliceLines lines_of(scene, rule, task);
   std::vector<std::vector<ProfileLine>> parts(numbers.count);
   parallel_for(task, numbers.count, 1, [&](size_t k, size_t) {
     const std::span<const uint32_t> own(sliced.positions.data() + sliced.first[k],

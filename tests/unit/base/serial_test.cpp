@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
+#include <cstdint>
+#include <functional>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "base/random.h"
 #include "base/serial.h"
 
 using namespace jalon;
@@ -34,4 +38,59 @@ TEST_CASE("serial_for__a_cancel_acts_before_the_next_chunk") {
   };
   CHECK_THROWS_AS(run(), Error);
   CHECK(done == 60);
+}
+
+namespace {
+
+std::vector<uint64_t> drawn_numbers(size_t count) {
+  RandomStream random(11, 0);
+  std::vector<uint64_t> out(count);
+  for (uint64_t& number : out) number = static_cast<uint64_t>(random.uniform() * 1e6);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("serial_sort__is_the_sort_of_the_standard_of_a_part_of_a_run_and_of_many") {
+  Task task;
+  for (const size_t count : {0, 1, 1000, 32768, 32769, 300000}) {
+    CAPTURE(count);
+    auto numbers = drawn_numbers(count), expected = numbers;
+    std::sort(expected.begin(), expected.end());
+    serial_sort(task, numbers.begin(), numbers.end());
+    CHECK(numbers == expected);
+    std::sort(expected.begin(), expected.end(), std::greater<>());
+    serial_sort(task, numbers.begin(), numbers.end(), std::greater<>());
+    CHECK(numbers == expected);
+  }
+}
+
+TEST_CASE("serial_sort__a_cancel_acts_between_runs_and_between_merges") {
+  std::atomic<bool> cancel{false};
+  Task::Hooks hooks;
+  hooks.cancel = &cancel;
+  Task task(hooks);
+  const size_t compared_by_a_whole = [&] {
+    size_t compared = 0;
+    auto numbers = drawn_numbers(300000);
+    serial_sort(task, numbers.begin(), numbers.end(), [&](uint64_t a, uint64_t b) {
+      ++compared;
+      return a < b;
+    });
+    return compared;
+  }();
+  for (const size_t tenths : {1, 9}) {  // of the runs, of the merges
+    cancel = false;
+    size_t compared = 0, after = 0;
+    auto numbers = drawn_numbers(300000);
+    const auto sort = [&] {
+      serial_sort(task, numbers.begin(), numbers.end(), [&](uint64_t a, uint64_t b) {
+        if (cancel) ++after;
+        if (++compared > tenths * compared_by_a_whole / 10) cancel = true;
+        return a < b;
+      });
+    };
+    CHECK_THROWS_AS(sort(), Error);
+    CHECK(after < compared_by_a_whole / 10);
+  }
 }

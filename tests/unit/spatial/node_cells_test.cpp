@@ -26,6 +26,7 @@ std::vector<NodeCell> drawn_cells(size_t count, int64_t extent, uint64_t seed) {
 }  // namespace
 
 TEST_CASE("node_cells__are_ordered_alike_near_and_beyond_what_one_number_holds") {
+  Task task;
   for (const int64_t extent : {int64_t{7}, int64_t{1000}, int64_t{1} << 59}) {
     CAPTURE(extent);
     const auto cells = drawn_cells(500, extent, 3);
@@ -33,9 +34,9 @@ TEST_CASE("node_cells__are_ordered_alike_near_and_beyond_what_one_number_holds")
     std::iota(by_hand.begin(), by_hand.end(), 0u);
     std::stable_sort(by_hand.begin(), by_hand.end(),
                      [&](uint32_t a, uint32_t b) { return cells[a] < cells[b]; });
-    CHECK(order_of_cells(cells) == by_hand);
+    CHECK(order_of_cells(cells, task) == by_hand);
   }
-  CHECK(order_of_cells({}).empty());
+  CHECK(order_of_cells({}, task).empty());
 }
 
 TEST_CASE("node_cells__bits_tell_what_the_table_does_until_a_node_is_cleared") {

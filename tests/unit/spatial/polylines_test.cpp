@@ -48,16 +48,17 @@ TEST_CASE("polylines__simplify_takes_closed_short_and_repeated_chains") {
 }
 
 TEST_CASE("polylines__chains_follow_a_wall_and_break_at_gaps") {
+  Task task;
   RandomStream random(7, 0);
   std::vector<Vec2> points;
   for (int i = 0; i < 400; ++i)
     points.push_back({4 * random.uniform() + (i < 200 ? 0 : 5), 0.003 * random.normal() + 0.05});
   std::vector<uint32_t> order;
-  const auto nodes = thin_points(points, 0.1, order);
+  const auto nodes = thin_points(points, 0.1, order, task);
   uint32_t counted = 0;
   for (const ProfileNode& node : nodes) counted += node.count;
   CHECK(counted == 400);
-  const auto chains = chain_nodes(nodes, 0.1, 0.5);
+  const auto chains = chain_nodes(nodes, 0.1, 0.5, task);
   REQUIRE(chains.size() == 2);
   size_t used = 0;
   for (const auto& chain : chains) {
@@ -70,20 +71,22 @@ TEST_CASE("polylines__chains_follow_a_wall_and_break_at_gaps") {
 }
 
 TEST_CASE("polylines__the_fullest_neighbour_is_of_the_eight_cells_about") {
+  Task task;
   const std::vector<ProfileNode> nodes{{{0.5, 0.5}, 0, 2},
                                        {{0.5, 1.5}, 2, 5},
                                        {{1.5, 1.5}, 7, 5},
                                        {{2.5, 0.5}, 12, 9},
                                        {{9, 9}, 21, 1}};
-  CHECK(fullest_neighbours(nodes, 1) == std::vector<uint32_t>{1, 2, 3, 2, 4});
+  CHECK(fullest_neighbours(nodes, 1, task) == std::vector<uint32_t>{1, 2, 3, 2, 4});
 }
 
 TEST_CASE("polylines__points_beyond_all_cells_have_nodes_and_neighbours") {
+  Task task;
   const std::vector<Vec2> points{{0, 0}, {0.01, 0}, {1e300, -1e300}, {-1e300, 1e300}};
   std::vector<uint32_t> order;
-  const auto nodes = thin_points(points, 0.02, order);
+  const auto nodes = thin_points(points, 0.02, order, task);
   CHECK(nodes.size() == 3);
-  const auto into = fullest_neighbours(nodes, 0.02);
+  const auto into = fullest_neighbours(nodes, 0.02, task);
   for (uint32_t i = 0; i < nodes.size(); ++i) CHECK(into[i] == i);
-  CHECK(chain_nodes(nodes, 0.02, 0.1).size() == 3);
+  CHECK(chain_nodes(nodes, 0.02, 0.1, task).size() == 3);
 }

@@ -47,10 +47,10 @@ void visit_strip(const PointRows& points, const EdgeShape& shape, double t0, dou
 
 }  // namespace
 
-PointRows contour_points(std::span<const std::vector<Vec2>> rings, double spacing_m) {
+PointRows contour_points(std::span<const std::vector<Vec2>> rings, double spacing_m, Task& task) {
   PointRows out;
   for (const auto& ring : rings) out.points.insert(out.points.end(), ring.begin(), ring.end());
-  out.sort(kStripInward * spacing_m);
+  out.sort(kStripInward * spacing_m, task);
   return out;
 }
 

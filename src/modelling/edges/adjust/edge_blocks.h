@@ -41,7 +41,7 @@ struct MeasuredEdge {
 constexpr double kStripOutward = 2.5, kStripInward = 9;
 
 /// Contour points of all rings of a plane: where other edges are.
-PointRows contour_points(std::span<const std::vector<Vec2>> rings, double spacing_m);
+PointRows contour_points(std::span<const std::vector<Vec2>> rings, double spacing_m, Task& task);
 
 /// Cuts the edge, less its ends, into blocks and takes up the points next to it. min_height_m: of
 /// points off the plane.

@@ -300,7 +300,7 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
                           std::max(setting.reveal_depth_m, kOnPlane * sigma), kOnPlane * sigma};
   const NearPoints near = source.near(rings, about);
   task.checkpoint(0);
-  const PointRows others = contour_points(chains, contour.spacing_m);
+  const PointRows others = contour_points(chains, contour.spacing_m, task);
   const EdgeSetting edges{contour.spacing_m, sigma, about.window_m, setting.reveal_depth_m > 0,
                           setting.snap_angle_rad};
   measure(drafts, near, others, kOffPlane * sigma, edges, task);

@@ -106,11 +106,12 @@ TEST_CASE("extract_contour: the rings of a piece touch nowhere, however ragged t
 }
 
 TEST_CASE("eroded: marks cells with eight marked neighbours") {
+  Task task;
   std::vector<Vec2> points;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 5; ++j)
       if (!(i == 4 && j == 4)) points.push_back({i + 0.5, j + 0.5});
-  const CellRows rows = sort_into_cells(points, 1);
+  const CellRows rows = sort_into_cells(points, 1, task);
   REQUIRE(rows.keys.size() == 24);
   const std::vector<uint8_t> all(24, 1);
   const auto inner = eroded(rows, all);
@@ -122,9 +123,10 @@ TEST_CASE("eroded: marks cells with eight marked neighbours") {
 }
 
 TEST_CASE("sort_into_cells: a wide sparse raster costs memory by points and gives the same cells") {
+  Task task;
   auto points = scattered(500, 1, 1, 3);
   points.push_back({1e6, 1e6});
-  const CellRows rows = sort_into_cells(points, 0.01);
+  const CellRows rows = sort_into_cells(points, 0.01, task);
   REQUIRE(rows.order.size() == 501);
   CHECK(std::is_sorted(rows.keys.begin(), rows.keys.end()));
   for (size_t c = 0; c < rows.keys.size(); ++c)

@@ -25,9 +25,10 @@ std::vector<Vec2> scattered(size_t n, double width_m) {
 }  // namespace
 
 TEST_CASE("cell_rows__every_point_is_in_the_cell_of_its_key_ascending_within_it") {
+  Task task;
   for (const double width_m : {1.0, 1e6}) {  // counted and compared
     const auto points = scattered(500, width_m);
-    const CellRows rows = sort_into_cells(points, 0.1);
+    const CellRows rows = sort_into_cells(points, 0.1, task);
     CHECK(rows.cell_m == 0.1);
     REQUIRE(rows.first.size() == rows.keys.size() + 1);
     CHECK(std::is_sorted(rows.keys.begin(), rows.keys.end()));
@@ -48,19 +49,21 @@ TEST_CASE("cell_rows__every_point_is_in_the_cell_of_its_key_ascending_within_it"
 }
 
 TEST_CASE("cell_rows__too_many_cells_for_31_bits_get_larger_ones") {
+  Task task;
   const std::vector<Vec2> points{{0, 0}, {1e6, 1}, {5e5, 0.5}};
-  const CellRows rows = sort_into_cells(points, 1e-6);
+  const CellRows rows = sort_into_cells(points, 1e-6, task);
   CHECK(rows.cell_m > 1e-6);
   CHECK((rows.keys.back() & 0xffffffffu) < 0x80000000u);
-  CHECK(sort_into_cells(std::vector<Vec2>{{2, 3}}, 0.1).order == std::vector<uint32_t>{0});
+  CHECK(sort_into_cells(std::vector<Vec2>{{2, 3}}, 0.1, task).order == std::vector<uint32_t>{0});
 }
 
 TEST_CASE("cell_rows__erosion_leaves_cells_whose_eight_neighbours_are_marked") {
+  Task task;
   std::vector<Vec2> points;
   for (int r = 0; r < 7; ++r)
     for (int c = 0; c < 9; ++c)
       if (!(r == 3 && c == 5)) points.push_back({c + 0.5, r + 0.5});
-  const CellRows rows = sort_into_cells(points, 1);
+  const CellRows rows = sort_into_cells(points, 1, task);
   std::vector<uint8_t> marked(rows.keys.size(), 1);
   marked[rows.find(rows.key_of({2.5, 1.5}))] = 0;
   const auto is_marked = [&](double u, double v) {
@@ -84,9 +87,10 @@ TEST_CASE("cell_rows__erosion_leaves_cells_whose_eight_neighbours_are_marked") {
 }
 
 TEST_CASE("cell_rows__a_box_visits_all_points_in_it_once") {
+  Task task;
   PointRows all;
   all.points = scattered(400, 2);
-  all.sort(0.13);
+  all.sort(0.13, task);
   RandomStream random(1, 5);
   for (int trial = 0; trial < 50; ++trial) {
     const Vec2 low{-4 + 3 * random.uniform(), 6 + 3 * random.uniform()};
@@ -103,6 +107,6 @@ TEST_CASE("cell_rows__a_box_visits_all_points_in_it_once") {
     }
   }
   PointRows none;
-  none.sort(1);
+  none.sort(1, task);
   none.visit({0, 0}, {1, 1}, [](uint32_t) { FAIL("there is no point"); });
 }

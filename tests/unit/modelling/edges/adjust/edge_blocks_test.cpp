@@ -25,7 +25,8 @@ NearPoints about_edge() {
     out.on_plane.push_back(kind < 3 ? 1 : 0);
     out.heights_m.push_back(kind < 3 ? 0.001f : kind == 3 ? -0.1f : 0.05f);
   }
-  out.sort(0.1);
+  Task task;
+  out.sort(0.1, task);
   return out;
 }
 
@@ -78,7 +79,8 @@ TEST_CASE("edge_blocks__tile_the_edge_less_its_ends_and_take_each_point_of_the_s
 TEST_CASE("edge_blocks__end_before_the_contours_of_other_edges_but_not_at_their_own") {
   const std::vector<std::vector<Vec2>> rings{
       {{0.5, 0.05}, {0.51, 0.05}, {0.2, -0.02}, {0.8, 0.012}, {0.9, -0.1}}};
-  const PointRows contours = contour_points(rings, kEdgeBlocksSpacing);
+  Task task;
+  const PointRows contours = contour_points(rings, kEdgeBlocksSpacing, task);
   CHECK(contours.points.size() == 5);
   MeasuredEdge edge = measured(straight_shape({0, 0}, {1, 0}));
   collect_blocks({}, contours, kEdgeBlocksSpacing, 0.03, edge);

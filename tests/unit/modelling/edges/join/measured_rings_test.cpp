@@ -34,7 +34,8 @@ NearPoints all_near(const std::vector<Vec2>& points) {
   out.points = points;
   out.heights_m.assign(points.size(), 0.0f);
   out.on_plane.assign(points.size(), 1);
-  out.sort(0.1);
+  Task task;
+  out.sort(0.1, task);
   return out;
 }
 
