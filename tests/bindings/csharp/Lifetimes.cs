@@ -78,11 +78,15 @@ static class Lifetimes {
     GC.KeepAlive(near);
   }
 
-  // Warm once Mono's nursery of 4 MB was full and collected: after some 2500 cycles in which nothing is disposed of.
-  const int kWarmCycles = 3000;
+  // Warm once Mono's nursery of 4 MB was full and collected: after some 2500 cycles in which nothing is disposed of. In
+  // the long run as many as are then looked at: of what nobody disposes of a fifth waits for the collector all the
+  // while, and the C library's heap stays as large as it needed.
+  static int WarmCycles {
+    get { return Math.Max(3000, Cycles); }
+  }
 
   static void Repeat(string how, Action<int> cycle) {
-    var helper = new Thread(() => { for (int i = 0; i < kWarmCycles; ++i) cycle(i); });  // a stack of its own, which goes with it
+    var helper = new Thread(() => { for (int i = 0; i < WarmCycles; ++i) cycle(i); });  // a stack of its own, which goes with it
     helper.Start();
     helper.Join();
     Settled();
