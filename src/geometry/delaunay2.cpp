@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/task.h"
+#include "base/serial.h"
 
 namespace jalon {
 
@@ -141,7 +141,8 @@ void Delaunay::Impl::snap(std::span<const Vec2> points, double grid_m) {
   for (size_t i = 0; i < points.size(); ++i)
     keys[i] = {steps(points[i].u - low.u) << 32 | steps(points[i].v - low.v),
                static_cast<uint32_t>(i)};
-  std::sort(keys.begin(), keys.end());
+  if (task != nullptr) serial_sort(*task, keys.begin(), keys.end());
+  else std::sort(keys.begin(), keys.end());
   for (size_t i = 0; i < keys.size(); ++i) {
     if (i > 0 && keys[i].first == keys[i - 1].first) continue;
     nodes.push_back({static_cast<int64_t>(keys[i].first >> 32),
