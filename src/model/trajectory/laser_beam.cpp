@@ -6,9 +6,26 @@ namespace jalon {
 
 namespace {
 
-struct BeamDirection {
+Symmetric3 propagated(const std::array<Vec3, kLaserInputs>& J, const LaserSigmas& sigmas) {
+  Symmetric3 c{};
+  for (size_t k = 0; k < kLaserInputs; ++k) {
+    const double variance = sigmas[k] * sigmas[k];
+    const Vec3& j = J[k];
+    c[0] += variance * j.x * j.x;
+    c[1] += variance * j.x * j.y;
+    c[2] += variance * j.x * j.z;
+    c[3] += variance * j.y * j.y;
+    c[4] += variance * j.y * j.z;
+    c[5] += variance * j.z * j.z;
+  }
+  return c;
+}
+
+}  // namespace
+
+struct BeamGeometry::Direction {
   double sin_theta, cos_theta, sin_phi, cos_phi;
-  explicit BeamDirection(const LaserReturn& from)
+  explicit Direction(const LaserReturn& from)
       : sin_theta(std::sin(from.theta_rad)),
         cos_theta(std::cos(from.theta_rad)),
         sin_phi(std::sin(from.phi_rad)),
@@ -17,8 +34,6 @@ struct BeamDirection {
   Vec3 by_theta() const { return {-sin_theta * sin_phi, cos_theta * sin_phi, 0}; }
   Vec3 by_phi() const { return {cos_theta * cos_phi, sin_theta * cos_phi, -sin_phi}; }
 };
-
-}  // namespace
 
 VehiclePose vehicle_pose(const Matrix3& rotation, const Vec3& position, bool is_ned) {
   // Of Rz(yaw) Ry(pitch) Rx(roll): roll turns about its first column, yaw about z, pitch about the
@@ -44,25 +59,29 @@ BeamGeometry::BeamGeometry(const LaserMount& mount)
     boresight_ = rotation_x(b.x) * rotation_y(b.y) * rotation_z(b.z);
     boresight_axes_ = {x, rotation_x(b.x) * y, boresight_ * z};
   }
+  laser_ = boresight_ * mirror_ + lever_arm_;
+}
+
+WorldBeam BeamGeometry::beam(const Direction& along, double range_m,
+                             const VehiclePose& pose) const {
+  const Vec3 origin = pose.rotation * laser_ + pose.position;
+  const Vec3 direction = pose.rotation * (boresight_ * along.unit());
+  return {origin + direction * range_m, origin, direction};
 }
 
 WorldBeam BeamGeometry::beam(const LaserReturn& from, const VehiclePose& pose) const {
-  const Vec3 u = BeamDirection(from).unit();
-  const Vec3 origin = pose.rotation * (boresight_ * mirror_ + lever_arm_) + pose.position;
-  const Vec3 direction = pose.rotation * (boresight_ * u);
-  return {origin + direction * from.range_m, origin, direction};
+  return beam(Direction(from), from.range_m, pose);
 }
 
-std::array<Vec3, kLaserInputs> BeamGeometry::jacobian(const LaserReturn& from,
+std::array<Vec3, kLaserInputs> BeamGeometry::jacobian(const Direction& along, double range_m,
                                                       const VehiclePose& pose) const {
-  const BeamDirection beam(from);
   const Matrix3& R = pose.rotation;
   const Matrix3 W = R * boresight_;
-  const Vec3 turned = boresight_ * (mirror_ + beam.unit() * from.range_m);  // R_c q
-  const Vec3 arm = R * (turned + lever_arm_);                               // R p
-  return {W * beam.unit(),
-          W * beam.by_theta() * from.range_m,
-          W * beam.by_phi() * from.range_m,
+  const Vec3 turned = boresight_ * (mirror_ + along.unit() * range_m);  // R_c q
+  const Vec3 arm = R * (turned + lever_arm_);                           // R p
+  return {W * along.unit(),
+          W * along.by_theta() * range_m,
+          W * along.by_phi() * range_m,
           W.column(0),
           W.column(1),
           W.column(2),
@@ -80,21 +99,20 @@ std::array<Vec3, kLaserInputs> BeamGeometry::jacobian(const LaserReturn& from,
           {0, 0, 1}};
 }
 
+std::array<Vec3, kLaserInputs> BeamGeometry::jacobian(const LaserReturn& from,
+                                                      const VehiclePose& pose) const {
+  return jacobian(Direction(from), from.range_m, pose);
+}
+
 Symmetric3 BeamGeometry::covariance(const LaserReturn& from, const VehiclePose& pose,
                                     const LaserSigmas& sigmas) const {
-  const std::array<Vec3, kLaserInputs> J = jacobian(from, pose);
-  Symmetric3 c{};
-  for (size_t k = 0; k < kLaserInputs; ++k) {
-    const double variance = sigmas[k] * sigmas[k];
-    const Vec3& j = J[k];
-    c[0] += variance * j.x * j.x;
-    c[1] += variance * j.x * j.y;
-    c[2] += variance * j.x * j.z;
-    c[3] += variance * j.y * j.y;
-    c[4] += variance * j.y * j.z;
-    c[5] += variance * j.z * j.z;
-  }
-  return c;
+  return propagated(jacobian(from, pose), sigmas);
+}
+
+BeamGeometry::SureBeam BeamGeometry::sure_beam(const LaserReturn& from, const VehiclePose& pose,
+                                               const LaserSigmas& sigmas) const {
+  const Direction along(from);
+  return {beam(along, from.range_m, pose), propagated(jacobian(along, from.range_m, pose), sigmas)};
 }
 
 }  // namespace jalon

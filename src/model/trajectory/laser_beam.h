@@ -66,6 +66,13 @@ class BeamGeometry {
   explicit BeamGeometry(const LaserMount& mount);
 
   WorldBeam beam(const LaserReturn& from, const VehiclePose& pose) const;
+  /// Both at once: what they share is calculated once.
+  struct SureBeam {
+    WorldBeam beam;
+    Symmetric3 covariance;  ///< of the point (m2)
+  };
+  SureBeam sure_beam(const LaserReturn& from, const VehiclePose& pose,
+                     const LaserSigmas& sigmas) const;
   /// The derivatives of the point by the 18 inputs.
   std::array<Vec3, kLaserInputs> jacobian(const LaserReturn& from, const VehiclePose& pose) const;
   /// Of the point (m2): the sum of sigma^2 j j^T.
@@ -73,8 +80,14 @@ class BeamGeometry {
                         const LaserSigmas& sigmas) const;
 
  private:
+  struct Direction;
+  WorldBeam beam(const Direction& along, double range_m, const VehiclePose& pose) const;
+  std::array<Vec3, kLaserInputs> jacobian(const Direction& along, double range_m,
+                                          const VehiclePose& pose) const;
+
   Vec3 mirror_, lever_arm_;
   Matrix3 boresight_;
+  Vec3 laser_;  ///< its centre in the vehicle's frame
   std::array<Vec3, 3> boresight_axes_;
 };
 

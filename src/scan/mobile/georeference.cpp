@@ -40,7 +40,9 @@ struct GeoreferencedColumns {
             FieldInfo{"beam_origin", ElementType::kFloat64, 3, "m", "the laser's centre"}, n)),
         direction(std::make_shared<Column>(
             FieldInfo{"beam_direction", ElementType::kFloat32, 3, "1", "unit, away from the laser"},
-            n)) {
+            n)),
+        origins_(origin->values<double>().data()),
+        directions_(direction->values<float>().data()) {
     if (!with_covariances) return;
     covariance = std::make_shared<Column>(FieldInfo{"covariance", ElementType::kFloat32, 6, "m2",
                                                     "of the point: xx, xy, xz, yy, yz, zz"},
@@ -48,11 +50,13 @@ struct GeoreferencedColumns {
     sigma = std::make_shared<Column>(
         FieldInfo{"point_sigma", ElementType::kFloat32, 1, "m", "root of the sum of its variances"},
         n);
+    covariances_ = covariance->values<float>().data();
+    sigmas_ = sigma->values<float>().data();
   }
 
   void set(size_t i, const WorldBeam& beam) {
-    double* o = origin->values<double>().data() + 3 * i;
-    float* d = direction->values<float>().data() + 3 * i;
+    double* o = origins_ + 3 * i;
+    float* d = directions_ + 3 * i;
     for (int k = 0; k < 3; ++k) {
       xyz[3 * i + static_cast<size_t>(k)] = beam.point[k];
       o[k] = beam.origin[k];
@@ -60,13 +64,18 @@ struct GeoreferencedColumns {
     }
   }
   void set_covariance(size_t i, const Symmetric3& c) {
-    float* out = covariance->values<float>().data() + 6 * i;
+    float* out = covariances_ + 6 * i;
     for (size_t k = 0; k < 6; ++k) out[k] = static_cast<float>(c[k]);
-    sigma->values<float>()[i] = static_cast<float>(point_sigma(c));
+    sigmas_[i] = static_cast<float>(point_sigma(c));
   }
 
   Buffer<double> xyz;
   std::shared_ptr<Column> origin, direction, covariance, sigma;
+
+ private:
+  // Of the columns: their type is asked for once.
+  double* origins_;
+  float *directions_, *covariances_ = nullptr, *sigmas_ = nullptr;
 };
 
 void require_pose_sigmas(const Trajectory& trajectory) {
@@ -139,10 +148,14 @@ Cloud georeferenced(const Trajectory& trajectory, const LaserReturns& returns,
       at = time_place(trajectory.times_s, returns.times_s[i], i, at.epoch);
       const VehiclePose pose = vehicle_pose(poses.rotation(at), poses.position(at), is_ned);
       const LaserReturn from{returns.ranges_m[i], returns.thetas_rad[i], returns.phis_rad[i]};
-      columns.set(i, geometry.beam(from, pose));
-      if (!settings.covariances) continue;
+      if (!settings.covariances) {
+        columns.set(i, geometry.beam(from, pose));
+        continue;
+      }
       set_pose_sigmas(sigmas, trajectory, at);
-      columns.set_covariance(i, geometry.covariance(from, pose, sigmas));
+      const BeamGeometry::SureBeam made = geometry.sure_beam(from, pose, sigmas);
+      columns.set(i, made.beam);
+      columns.set_covariance(i, made.covariance);
     }
   });
   // 3. The cloud.
