@@ -192,12 +192,12 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_matches(const jalon_adjustme
 /**
  * The covariance of control positions and blocks, with the parameter "covariance" (else
  * JALON_ERROR_INVALID_ARGUMENT): a row and a component for each unknown, control positions east, then north, blocks
- * east, then north, and the three turns of the vehicle where they are adjusted (rad for m); at most 4096
- * (JALON_ERROR_LIMIT).
+ * east, then north, the three turns of the vehicle where they are adjusted (rad for m), and with the parameter
+ * "covariance_of" = "all" facades and the strips that were adjusted; at most 4096 (JALON_ERROR_LIMIT).
  *     column      type         unit  meaning
- *     group       uint8        -     0: control position, 1: block, 2: turn
- *     axis        uint8        -     0: east, 1: north; of turns 0: roll, 1: pitch, 2: heading
- *     number      uint32       -     of the control position or block
+ *     group       uint8        -     0: control position, 1: block, 2: turn, 3: facade, 4: strip
+ *     axis        uint8        -     0: east, 1: north; of turns 0: roll, 1: pitch, 2: heading; of facades and strips 0
+ *     number      uint32       -     of the control position, block, facade or strip
  *     covariance  float64 x n  m2    with each unknown, in the order of the rows
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_covariance(const jalon_adjustment* adjustment,

@@ -116,12 +116,25 @@ struct Adjust {
     constexpr double kRare = 0.001;
     console.say("test of the model: chi-square " + fixed(summary.number("chi_square", 0), 1) +
                 " on " + count("strips") + ", p " + fixed(p, 4) +
-                (p < kRare ? ": the sigmas are too small, or matches are wrong" : ""));
+                (p < kRare       ? ": the sigmas are too small, or matches are wrong"
+                 : p > 1 - kRare ? ": the sigmas are greater than what is off"
+                                 : ""));
     if (summary.count("weak_is_held", 0) == 0)
       console.say("nothing is known along the direction " +
                   fixed(summary.number("weak_direction", 0, 0), 3) + ", " +
                   fixed(summary.number("weak_direction", 0, 1), 3) +
                   ": no wall seen stands across it");
+    const Table passes = table(made, jalon_adjustment_iterations);
+    const uint64_t last = passes.rows() - 1, far = passes.count("far", last),
+                   matched = passes.count("matched", last);
+    if (far > matched)
+      console.say(grouped(far) + " points met a wall and are too far from it, more than the " +
+                  grouped(matched) +
+                  " that are on one: are model or drive off by more than their sigmas?");
+    if (const double wrong = summary.number("wrong_strips", 0); std::isfinite(wrong))
+      console.say("of the matches " + fixed(100 * wrong, 2) + " % are on another strip than " +
+                  "the cloud's field says, " + fixed(100 * summary.number("wrong_facades", 0), 2) +
+                  " % on another facade");
     if (const uint64_t outside = summary.count("outside", 0); outside > 0)
       console.say(grouped(outside) +
                   " points are outside of the trajectory's time and moved as its ends do");

@@ -203,6 +203,43 @@ static void adjusted__with_attitude_biases__tells_them(void** state) {
   release_drive(&drive);
 }
 
+/* Of everything: facades and the strips that were adjusted stand behind what stands there else. */
+static void adjusted__with_the_covariance_of_all__has_rows_of_facades_and_strips(void** state) {
+  (void)state;
+  Drive drive = drive_of(5);
+  jalon_params* options = NULL;
+  jalon_adjustment *places = NULL, *whole = NULL;
+  jalon_fields *of_places = NULL, *of_all = NULL, *strips = NULL;
+  OK(jalon_params_create("adjust", &options));
+  OK(jalon_params_set_bool(options, "covariance", 1));
+  OK(jalon_trajectory_adjust(drive.trajectory, drive.cloud, drive.model, options, NULL, &places));
+  OK(jalon_params_set_string(options, "covariance_of", "all"));
+  OK(jalon_trajectory_adjust(drive.trajectory, drive.cloud, drive.model, options, NULL, &whole));
+  OK(jalon_adjustment_covariance(places, &of_places));
+  OK(jalon_adjustment_covariance(whole, &of_all));
+  OK(jalon_adjustment_strips(whole, &strips));
+  uint64_t few = 0, rows = 0, all = 0, n = 0;
+  double *before = column(of_places, "group", &few), *part = column(of_places, "covariance", &n),
+         *group = column(of_all, "group", &rows), *number = column(of_all, "number", &n),
+         *covariance = column(of_all, "covariance", &all), *sigma = column(strips, "sigma", &n);
+  assert_true(rows > few && all == rows * rows);
+  assert_true(group[few] == 3 && group[rows - 1] == 4);
+  for (uint64_t i = 0; i < rows; ++i) {
+    if (i < few) assert_true(fabs(covariance[i * rows] - part[i * few]) < 1e-12);
+    if (group[i] == 4)
+      assert_true(fabs(sqrt(covariance[i * rows + i]) - sigma[(uint64_t)number[i]]) < 1e-9);
+  }
+  double* lists[] = {before, part, group, number, covariance, sigma};
+  for (int i = 0; i < 6; ++i) free(lists[i]);
+  jalon_fields_release(of_places);
+  jalon_fields_release(of_all);
+  jalon_fields_release(strips);
+  jalon_adjustment_release(places);
+  jalon_adjustment_release(whole);
+  jalon_params_release(options);
+  release_drive(&drive);
+}
+
 static void adjust__of_impossible_input__names_what_is_wrong(void** state) {
   (void)state;
   Drive drive = drive_of(5);
@@ -241,6 +278,7 @@ int main(void) {
       cmocka_unit_test(adjusted_cloud__follows_the_corrections),
       cmocka_unit_test(adjusted__by_control_points__is_nearer_and_no_wall_stands_before_its_eaves),
       cmocka_unit_test(adjusted__with_attitude_biases__tells_them),
+      cmocka_unit_test(adjusted__with_the_covariance_of_all__has_rows_of_facades_and_strips),
       cmocka_unit_test(adjust__of_impossible_input__names_what_is_wrong),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

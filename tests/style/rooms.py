@@ -49,7 +49,7 @@ SUBROOMS = {
         "volumes": ["distance"], "landslide": ["volumes", "detection"], "changes": ["matching", "detection", "landslide"],
         "clearance": [],
     },
-    "registration": {"ground": [], "joint": ["ground"], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": [], "network": ["targets"]},
+    "registration": {"ground": [], "solvers": [], "joint": ["ground", "solvers"], "surface": [], "verdict": ["surface"], "icp": ["surface", "verdict"], "coarse": [], "targets": [], "network": ["targets"]},
     "report": {
         "sheet": [], "names": [], "elevation": ["sheet", "names"], "charts": ["sheet"],
         "pictures": ["elevation"], "viewer": ["sheet"], "pages": ["pictures", "charts", "viewer"],

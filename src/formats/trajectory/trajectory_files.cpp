@@ -38,7 +38,17 @@ constexpr auto kTrajectoryFileRows = setting_rows(
     choice_row<&TrajectoryFileSettings::heading>("heading", "minus_wander|plus_wander|true", "",
                                                  "True heading of an SBET file: its heading less "
                                                  "its wander angle (Applanix), plus it, or as "
-                                                 "it stands."));
+                                                 "it stands."),
+    number_row<&TrajectoryFileSettings::time_shift_s>(
+        "time_shift_s", -1e10, 1e10, "s", "",
+        "Added to the times of a file that is read, taken from those of one that is written: from "
+        "its scale of time to that of a cloud."));
+
+void shift_times(Trajectory& trajectory, double by_s) {
+  if (by_s == 0) return;
+  for (double& t : trajectory.times_s) t += by_s;
+  validate(trajectory);  // far from 0 two epochs may have become one
+}
 
 bool is_sbet(const std::string& path, TrajectoryFormat format) {
   if (format != TrajectoryFormat::kAuto) return format == TrajectoryFormat::kSbet;
@@ -80,14 +90,22 @@ MapProjection projection_of(const TrajectoryFileSettings& settings, const Geodet
 
 Trajectory read_trajectory(const std::string& path, const std::string& sigma_path,
                            const TrajectoryFileSettings& settings, Task& task) {
-  if (is_sbet(path, settings.format)) return read_sbet(path, sigma_path, settings, task);
-  refuse_sigmas_of_text(sigma_path);
-  return read_trajectory_text(path, settings.axes, task);
+  Trajectory made;
+  if (is_sbet(path, settings.format)) {
+    made = read_sbet(path, sigma_path, settings, task);
+  } else {
+    refuse_sigmas_of_text(sigma_path);
+    made = read_trajectory_text(path, settings.axes, task);
+  }
+  shift_times(made, settings.time_shift_s);
+  return made;
 }
 
-void write_trajectory(const Trajectory& trajectory, const std::string& path,
+void write_trajectory(const Trajectory& given, const std::string& path,
                       const std::string& sigma_path, const TrajectoryFileSettings& settings,
                       Task& task) {
+  Trajectory trajectory = given;
+  shift_times(trajectory, -settings.time_shift_s);
   if (is_sbet(path, settings.format))
     return write_sbet(trajectory, path, sigma_path, settings, task);
   refuse_sigmas_of_text(sigma_path);

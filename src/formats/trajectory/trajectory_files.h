@@ -32,6 +32,7 @@ struct TrajectoryFileSettings {
   std::vector<double>
       origin;  ///< of kEnu: latitude, longitude (rad), height (m); empty: the first record
   SbetHeading heading = SbetHeading::kMinusWander;
+  double time_shift_s = 0;
 };
 std::span<const ParamRow> trajectory_file_rows();
 

@@ -11,9 +11,29 @@ namespace {
 
 void put(const Vec2& v, double* out) { out[0] = v.u, out[1] = v.v; }
 
-std::vector<uint32_t> numbers_to(size_t n) {
-  std::vector<uint32_t> made(n);
-  for (uint32_t i = 0; i < n; ++i) made[i] = i;
+struct Unknown {
+  uint8_t group = 0, axis = 0;
+  uint32_t number = 0;
+};
+
+// Of the covariance's n rows, in their order.
+std::vector<Unknown> unknowns_of(const JointAdjustment& a, size_t n) {
+  enum : uint8_t { kControl, kBlock, kTurn, kFacade, kStrip };
+  const auto controls = static_cast<uint32_t>(a.trajectory.by_m.size()),
+             blocks = static_cast<uint32_t>(a.model.blocks.size()),
+             facades = static_cast<uint32_t>(a.model.facades.size());
+  std::vector<Unknown> made;
+  const auto list = [&](uint8_t group, uint8_t axis, uint32_t count) {
+    for (uint32_t i = 0; i < count; ++i) made.push_back({group, axis, i});
+  };
+  list(kControl, 0, controls), list(kControl, 1, controls);
+  list(kBlock, 0, blocks), list(kBlock, 1, blocks);
+  const bool has_turns = squared_norm(a.attitude_bias_sigmas_rad) > 0;
+  for (uint8_t axis = 0; has_turns && axis < 3; ++axis) made.push_back({kTurn, axis, 0});
+  if (made.size() == n) return made;
+  list(kFacade, 0, facades);
+  for (uint32_t s = 0; s < a.strip_points.size(); ++s)
+    if (a.strip_points[s] > 0) made.push_back({kStrip, 0, s});
   return made;
 }
 
@@ -155,23 +175,16 @@ FieldTable covariance_table(const JointAdjustment& a) {
     for (size_t j = 0; j < n; ++j)
       out[n * i + j] = a.covariance(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
   FieldTable t;
-  const size_t controls = a.trajectory.by_m.size(), blocks = a.model.blocks.size(),
-               places = 2 * (controls + blocks);
-  const std::vector<uint32_t> rows = numbers_to(n);
-  const auto is_block = [&](uint32_t i) { return i >= 2 * controls; };
-  const auto is_turn = [&](uint32_t i) { return i >= places; };
-  add_column<uint8_t>(t, rows, "group", "", "0: control position, 1: block, 2: turn of the vehicle",
-                      [&](uint32_t i) { return is_turn(i)    ? 2
-                                               : is_block(i) ? 1
-                                                             : 0; });
-  add_column<uint8_t>(
-      t, rows, "axis", "", "0: east, 1: north; of turns 0: roll, 1: pitch, 2: heading",
-      [&](uint32_t i) {
-        return is_turn(i) ? i - places : is_block(i) ? (i - 2 * controls) / blocks : i / controls;
-      });
-  add_column<uint32_t>(t, rows, "number", "", "of the control position or block", [&](uint32_t i) {
-    return is_turn(i) ? 0 : is_block(i) ? (i - 2 * controls) % blocks : i % controls;
-  });
+  const std::vector<Unknown> rows = unknowns_of(a, n);
+  add_column<uint8_t>(t, rows, "group", "",
+                      "0: control position, 1: block, 2: turn of the vehicle, 3: facade, 4: strip",
+                      [](const Unknown& u) { return u.group; });
+  add_column<uint8_t>(t, rows, "axis", "",
+                      "0: east, 1: north; of turns 0: roll, 1: pitch, 2: heading; of facades and "
+                      "strips 0: along the normal",
+                      [](const Unknown& u) { return u.axis; });
+  add_column<uint32_t>(t, rows, "number", "", "of the control position, block, facade or strip",
+                       [](const Unknown& u) { return u.number; });
   t.set(std::move(column));
   return t;
 }

@@ -10,11 +10,12 @@
 #include "base/numbers.h"
 #include "registration/ground/ground_rises.h"
 #include "registration/joint/adjusted.h"
+#include "registration/joint/apart.h"
 #include "registration/joint/attitude_bias.h"
 #include "registration/joint/beam_fields.h"
 #include "registration/joint/block_search.h"
 #include "registration/joint/control_points.h"
-#include "registration/joint/set_back.h"
+#include "registration/solvers/set_back.h"
 #include "registration/joint/strip_conditions.h"
 #include "registration/joint/strip_search.h"
 #include "registration/joint/strip_weights.h"
@@ -126,11 +127,11 @@ class JointLoop {
     pass.strips = problem_.strips.size();
     if (problem_.strips.empty())
       fail(Status::kInsufficientData,
-           "no strip has %llu matched points or more: %llu of %zu points met one, %llu were too "
-           "far from it",
-           static_cast<unsigned long long>(settings_.least_points),
-           static_cast<unsigned long long>(pass.matched), made_.points.size(),
-           static_cast<unsigned long long>(pass.far));
+           "no strip has %llu matched points or more: of %zu points that look like a wall's %llu "
+           "are on one, %llu too far from it%s",
+           static_cast<unsigned long long>(settings_.least_points), made_.points.size(),
+           static_cast<unsigned long long>(pass.matched), static_cast<unsigned long long>(pass.far),
+           apart_hint(points().at, scene_).c_str());
     const JointSolution solution = solve(JointWanted::kValues);
     pass.chi_square = solution.chi_square;
     pass.step_m = move_to(solution);
@@ -180,11 +181,14 @@ class JointLoop {
   }
 
   JointSolution solve(JointWanted wanted) {
-    const auto by = [&](const JointProblem& problem) {
-      return has_zero(settings_) ? solve_dense(problem) : solve_reduced(problem, wanted);
+    const auto by = [&](const JointProblem& problem, JointWanted what) {
+      task_.checkpoint(static_cast<double>(made_.passes.size()) /
+                       static_cast<double>(settings_.most_passes));
+      return has_zero(settings_) ? solve_dense(problem) : solve_reduced(problem, what);
     };
-    return settings_.set_back == JointSettings::SetBack::kBehind ? solve_set_back(problem_, by)
-                                                                 : by(problem_);
+    return settings_.set_back == JointSettings::SetBack::kBehind
+               ? solve_set_back(problem_, wanted, by)
+               : by(problem_, wanted);
   }
 
   void count(const std::vector<PointMatch>& matches, JointPass& pass) const {
@@ -233,8 +237,10 @@ class JointLoop {
   }
 
   void finish() {
-    const JointSolution solution =
-        solve(settings_.covariance ? JointWanted::kCovariance : JointWanted::kSigmas);
+    const bool is_whole = settings_.covariance_of == JointSettings::CovarianceOf::kAll;
+    JointSolution solution = solve(!settings_.covariance ? JointWanted::kSigmas
+                                   : is_whole            ? JointWanted::kWhole
+                                                         : JointWanted::kCovariance);
     made_.trajectory.by_m = solution.trajectory;
     made_.trajectory_sigmas = solution.trajectory_sigmas;
     made_.model = {solution.blocks, solution.facades, std::vector<double>(scene_.strips.size(), 0)};
@@ -259,7 +265,8 @@ class JointLoop {
     made_.p_value =
         chi_square_tail(static_cast<double>(problem_.conditions()) + static_cast<double>(held),
                         solution.chi_square);
-    if (settings_.covariance) made_.covariance = solution.covariance;
+    if (settings_.covariance)
+      made_.covariance = std::move(is_whole ? solution.whole_covariance : solution.covariance);
     find_wrong_shares();
     find_weak_direction();
   }

@@ -9,7 +9,7 @@
 #include "base/field.h"
 #include "model/trajectory/corrections.h"
 #include "registration/ground/height_chain.h"
-#include "registration/joint/joint_problem.h"
+#include "registration/solvers/joint_problem.h"
 #include "registration/joint/joint_settings.h"
 #include "registration/joint/ray_matching.h"
 
@@ -55,7 +55,8 @@ struct JointAdjustment {
   /// that of the direction held best.
   Vec2 weak_direction;
   double weak_share = 1;
-  Eigen::MatrixXd covariance;  ///< of (T_x, T_y, d_x, d_y, turns); empty unless asked for
+  /// Of (T_x, T_y, d_x, d_y, turns), and of facades and the strips that were adjusted; empty unless asked for.
+  Eigen::MatrixXd covariance;
   std::string parameters_json;
 
   double height_at(const TimePlace& at) const { return along(heights_m, at); }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/joint/joint_points.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 #include "base/text_number.h"
 #include "cloud/facade_scores.h"
 #include "cloud/subsample_cells.h"
+#include "model/trajectory/time_scales.h"
 #include "registration/joint/attitude_bias.h"
 
 namespace jalon {
@@ -30,6 +33,36 @@ const Column* optional_column(const Cloud& cloud, const char* name, ElementType 
   return cloud.fields.find(name) == nullptr ? nullptr : &column_of(cloud, name, type, components);
 }
 
+[[noreturn]] void refuse_other_times(std::span<const double> times,
+                                     std::span<const double> control_times_s) {
+  const auto [first, last] = std::ranges::minmax(times);
+  const TimeSpan drive{control_times_s.front(), control_times_s.back()};
+  const std::optional<double> shift = shift_between_scales({first, last}, drive);
+  const std::string hint = shift ? "they meet where the drive's are later by " + text_of(*shift) +
+                                       " s (time_shift_s of its file): other scales of time"
+                                 : "is it another drive?";
+  fail(Status::kInvalidArgument,
+       "no point of the cloud is within the trajectory's time: %s to %s, the trajectory %s to %s; "
+       "%s",
+       text_of(first).c_str(), text_of(last).c_str(), text_of(drive.first_s).c_str(),
+       text_of(drive.last_s).c_str(), hint.c_str());
+}
+
+// A laser stands some metres from the inertial unit, and a drive may be known worse than that.
+void require_one_drive(const JointPoints& points, const std::vector<Vec3>& vehicle,
+                       double sigma_m) {
+  constexpr double kMostArm_m = 10, kMostSigmas = 3;
+  std::vector<double> arms;
+  for (size_t i = 0; i < vehicle.size(); ++i) arms.push_back(norm(points.origin[i] - vehicle[i]));
+  const auto middle = arms.begin() + static_cast<std::ptrdiff_t>(arms.size() / 2);
+  std::ranges::nth_element(arms, middle);
+  if (*middle > kMostArm_m + kMostSigmas * sigma_m)
+    fail(Status::kInvalidArgument,
+         "the beams of the cloud begin %s m from the trajectory at their times (median): are both "
+         "of one drive and by one clock?",
+         text_of(*middle, 1).c_str());
+}
+
 // Those within the trajectory's time.
 std::vector<uint32_t> points_in_time(std::span<const double> times,
                                      std::span<const double> control_times_s) {
@@ -40,10 +73,7 @@ std::vector<uint32_t> points_in_time(std::span<const double> times,
     if (times[i] >= control_times_s.front() && times[i] <= control_times_s.back())
       made.push_back(static_cast<uint32_t>(i));
   }
-  if (made.empty())
-    fail(Status::kInvalidArgument,
-         "no point of the cloud is within the trajectory's time, %s to %s: is it another drive?",
-         text_of(control_times_s.front()).c_str(), text_of(control_times_s.back()).c_str());
+  if (made.empty() && !times.empty()) refuse_other_times(times, control_times_s);
   return made;
 }
 
@@ -126,6 +156,7 @@ JointPoints joint_points(const Cloud& cloud, const Trajectory& trajectory,
   // 3. Their rays and sigmas.
   const PoseInterpolator poses(trajectory);
   const Vec3 arm{settings.lever_arm_m[0], settings.lever_arm_m[1], settings.lever_arm_m[2]};
+  std::vector<Vec3> vehicle;
   TimePlace pose, control;
   for (const uint32_t i : made.index) {
     const size_t first = 3 * size_t{i};
@@ -153,7 +184,13 @@ JointPoints joint_points(const Cloud& cloud, const Trajectory& trajectory,
     }
     if (settings.has_attitude())
       add_pose(poses.position(pose), poses.rotation(pose), settings, made);
+    if (origins != nullptr) vehicle.push_back(poses.position(pose));
     if (ids != nullptr) made.id.push_back(ids->values<uint32_t>()[i]);
+  }
+  if (origins != nullptr) {
+    double most_m = 0;
+    for (const Vec3& s : trajectory.position_sigmas_m) most_m = std::max({most_m, s.x, s.y, s.z});
+    require_one_drive(made, vehicle, most_m);
   }
   return made;
 }

@@ -89,7 +89,11 @@ constexpr auto kJointRows = setting_rows(
                                 "is one that matches as the "
                                 "one before."),
     bool_row<&S::covariance>("covariance", "",
-                             "Keep the whole covariance of trajectory and blocks."));
+                             "Keep the whole covariance of what covariance_of says."),
+    choice_row<&S::covariance_of>(
+        "covariance_of", "places|all", "",
+        "What \"covariance\" keeps: that of trajectory, blocks and turns (places), or facades and "
+        "the strips that were adjusted as well (all)."));
 
 }  // namespace
 

@@ -32,6 +32,7 @@ struct JointSettings {
   int64_t most_passes = 20;
   double tolerance_m = 0.001;
   bool covariance = false;
+  enum class CovarianceOf { kPlaces, kAll } covariance_of = CovarianceOf::kPlaces;
 
   /// Of constant errors of the attitudes; whether they are adjusted.
   std::array<double, 3> sigma_attitude_rad() const {

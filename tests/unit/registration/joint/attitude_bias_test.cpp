@@ -8,7 +8,7 @@
 
 #include "base/random.h"
 #include "registration/joint/adjusted.h"
-#include "registration/joint/joint_residuals.h"
+#include "registration/solvers/joint_residuals.h"
 #include "scan/mobile/drive_scenario.h"
 #include "unit/registration/joint/joint_street.h"
 

@@ -126,18 +126,22 @@ TEST_CASE("adjust_jointly__of_a_straight_street__names_the_direction_along_it") 
   CHECK(straight.trajectory_sigmas[3].v < 0.5 * straight.trajectory_priors[3].v);
 }
 
-TEST_CASE("adjust_jointly__with_two_threads__gives_the_same_bits") {
-  Task one(Task::Hooks{.threads = 1}), two(Task::Hooks{.threads = 2});
+TEST_CASE("adjust_jointly__with_any_number_of_threads__gives_the_same_bits") {
+  Task one(Task::Hooks{.threads = 1}), two(Task::Hooks{.threads = 2}),
+      seven(Task::Hooks{.threads = 7});
   const DriveScenarioSettings from = small_drive();
   const DriveScenario made = drive_scenario(from, one);
   const auto run = [&](Task& task) {
     return adjust_jointly(made.model, made.cloud, made.trajectory, settings_of(from), task);
   };
-  const JointAdjustment a = run(one), b = run(two);
-  CHECK(a.model.strips == b.model.strips);
-  CHECK(a.strip_sigmas == b.strip_sigmas);
-  CHECK(a.trajectory.by_m == b.trajectory.by_m);
-  CHECK(a.chi_square == b.chi_square);
+  const JointAdjustment a = run(one);
+  for (const JointAdjustment& b : {run(two), run(seven)}) {
+    CHECK(a.model.strips == b.model.strips);
+    CHECK(a.strip_sigmas == b.strip_sigmas);
+    CHECK(a.trajectory.by_m == b.trajectory.by_m);
+    CHECK(a.weights == b.weights);
+    CHECK(a.chi_square == b.chi_square);
+  }
 }
 
 TEST_CASE("adjust_jointly__with_wrong_priors__fails_its_test_of_the_model") {
@@ -205,10 +209,18 @@ TEST_CASE("adjust_jointly__of_impossible_input__names_what_is_wrong") {
   Trajectory later = made.trajectory;
   for (double& t : later.times_s) t += 1000;
   refuses(made, made.cloud, later, "no point of the cloud is within the trajectory's time");
+  for (double& t : later.times_s) t += 2 * 86400 - 1000;
+  refuses(made, made.cloud, later, "later by -172800 s (time_shift_s of its file)");
+  Trajectory early = made.trajectory;
+  for (double& t : early.times_s) t -= 8;  // 40 m of driving
+  refuses(made, made.cloud, early, "are both of one drive and by one clock?");
   Trajectory bold = made.trajectory;
   bold.position_sigmas_m.clear();
   refuses(made, made.cloud, bold, "no sigmas of position");
   DriveScenario plain = made;
   plain.model = Model();
   refuses(plain, made.cloud, made.trajectory, "no strips");
+  DriveScenario elsewhere = made;
+  for (Vec3& v : elsewhere.model.vertices) v += Vec3{652000, 6861000, 0};
+  refuses(elsewhere, made.cloud, made.trajectory, "are both in one coordinate system?");
 }

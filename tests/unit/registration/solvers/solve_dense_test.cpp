@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
-#include "registration/joint/joint_problem.h"
+#include "registration/solvers/joint_problem.h"
 
 using namespace jalon;
 

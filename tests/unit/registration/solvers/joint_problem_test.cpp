@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/joint/joint_problem.h"
+#include "registration/solvers/joint_problem.h"
 
 #include <doctest/doctest.h>
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "registration/joint/facade_strips.h"
-#include "registration/joint/joint_problem.h"
+#include "registration/solvers/facade_strips.h"
+#include "registration/solvers/joint_problem.h"
 
 namespace jalon {
 
@@ -118,6 +118,7 @@ JointSolution solve_dense(const JointProblem& problem) {
   made.chi_square = c.dot(k);
   const auto n = static_cast<Index>(at.JointOrder::size());
   made.covariance = posterior.topLeftCorner(n, n);
+  made.whole_covariance = posterior;
   const auto pair = [](const VectorXd& v, size_t i, size_t j) {
     return Vec2{v[static_cast<Index>(i)], v[static_cast<Index>(j)]};
   };

@@ -5,9 +5,10 @@
 #include <optional>
 
 #include "base/error.h"
-#include "registration/joint/facade_strips.h"
-#include "registration/joint/joint_problem.h"
-#include "registration/joint/sparse_inverse.h"
+#include "registration/solvers/facade_strips.h"
+#include "registration/solvers/joint_problem.h"
+#include "registration/solvers/sparse_inverse.h"
+#include "registration/solvers/whole_covariance.h"
 
 namespace jalon {
 
@@ -86,6 +87,8 @@ class ReducedSolver {
     const Eigen::VectorXd variances = variances_of(wanted, made);
     place_sigmas(variances, made);
     for (const FacadeStrips& f : facades_) sigmas_of(f, made);
+    if (wanted == JointWanted::kWhole)
+      made.whole_covariance = whole_covariance(problem_, made.covariance);
     return made;
   }
 
@@ -254,7 +257,7 @@ class ReducedSolver {
 
   Eigen::VectorXd variances_of(JointWanted wanted, JointSolution& made) const {
     const auto n = static_cast<Index>(at_.size());
-    if (wanted == JointWanted::kCovariance) {
+    if (wanted == JointWanted::kCovariance || wanted == JointWanted::kWhole) {
       made.covariance = factor_.solve(Eigen::MatrixXd::Identity(n, n));
       for (size_t k = 0; k < at_.turns; ++k) {
         const auto i = static_cast<Index>(at_.turn(k));

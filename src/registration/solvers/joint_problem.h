@@ -89,6 +89,7 @@ struct JointSolution {
   double chi_square = 0;
   /// Of (T_x, T_y, d_x, d_y), in this order, and the three turns where there are any.
   Eigen::MatrixXd covariance;
+  Eigen::MatrixXd whole_covariance;  ///< of those, then the facades, then the strips; where wanted
 };
 
 /// Indices into that order.
@@ -114,6 +115,7 @@ enum class JointWanted {
   kValues,      ///< values and chi-square
   kSigmas,      ///< their standard deviations as well
   kCovariance,  ///< and the field covariance, dense
+  kWhole,       ///< and the field whole_covariance
 };
 /// By the normal equations of trajectory, blocks and turns alone, facades and strips eliminated: sparse, the
 /// same answer as the dense form to rounding. All sigmas but those

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "registration/joint/joint_problem.h"
+#include "registration/solvers/joint_problem.h"
 
 namespace jalon {
 

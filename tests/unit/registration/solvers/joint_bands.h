@@ -12,7 +12,7 @@
 
 #include "base/random.h"
 #include "base/text_number.h"
-#include "registration/joint/joint_residuals.h"
+#include "registration/solvers/joint_residuals.h"
 
 // What one draw's normalised residuals look like: they hang together, so that their mean is not near 0 nor their spread
 // near 1; how far off is foretold by the covariance of the solution.
@@ -32,7 +32,6 @@ class DrawBands {
     means_.push_back(std::fabs(sum)), spreads_.push_back(std::sqrt(squares / (n - 1)));
     mosts_.push_back(most);
   }
-  bool is_empty() const { return means_.empty(); }
   std::array<double, 4> quantiles() const {
     return {at(means_, 0.95), at(spreads_, 0.025), at(spreads_, 0.975), at(mosts_, 0.95)};
   }
@@ -56,14 +55,14 @@ class DrawBands {
   std::vector<double> means_, spreads_, mosts_;
 };
 
-/// Bands by draws of normal values that hang together as the covariance says; of trajectory and blocks.
+/// Bands by draws of normal values that hang together as the whole covariance says.
 inline std::array<DrawBands, kJointGroups> foretold_bands(const JointSolution& solution) {
   const JointOrder at{solution.trajectory.size(), solution.blocks.size()};
   std::array<DrawBands, kJointGroups> made;
   const auto fill = [&](JointGroup g, size_t first, size_t count) {
     const auto n = static_cast<Eigen::Index>(count);
     const auto start = static_cast<Eigen::Index>(first);
-    const Eigen::MatrixXd C = solution.covariance.block(start, start, n, n);
+    const Eigen::MatrixXd C = solution.whole_covariance.block(start, start, n, n);
     const Eigen::VectorXd scale = C.diagonal().cwiseSqrt().cwiseInverse();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> of(scale.asDiagonal() * C *
                                                             scale.asDiagonal());
@@ -80,6 +79,8 @@ inline std::array<DrawBands, kJointGroups> foretold_bands(const JointSolution& s
   };
   fill(kTrajectoryX, at.tx(0), at.controls), fill(kTrajectoryY, at.ty(0), at.controls);
   fill(kBlocksX, at.dx(0), at.blocks), fill(kBlocksY, at.dy(0), at.blocks);
+  fill(kFacades, at.size(), solution.facades.size());
+  fill(kStrips, at.size() + solution.facades.size(), solution.strips.size());
   return made;
 }
 

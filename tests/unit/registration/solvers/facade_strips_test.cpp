@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/joint/facade_strips.h"
+#include "registration/solvers/facade_strips.h"
 
 #include <doctest/doctest.h>
 

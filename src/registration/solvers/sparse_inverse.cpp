@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/joint/sparse_inverse.h"
+#include "registration/solvers/sparse_inverse.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/joint/joint_residuals.h"
+#include "registration/solvers/joint_residuals.h"
 
 #include <cmath>
 
