@@ -13,6 +13,7 @@
 #include "registration/joint/attitude_bias.h"
 #include "registration/joint/joint_adjustment.h"
 #include "model/buildings/building_tree.h"
+#include "model/buildings/part_numbers.h"
 #include "model/part_classes.h"
 #include "model/trajectory/gauss_markov.h"
 #include "scan/mobile/drive_scenario.h"
@@ -44,8 +45,12 @@ inline Left left_of(const JointAdjustment& a, const DriveScenario& s) {
     left.add(kOfTrajectory, s.trajectory_errors.by_m[c] + a.trajectory.by_m[c]);
   for (size_t b = 0; b < a.model.blocks.size(); ++b)
     left.add(kOfBlocks, s.offsets.blocks[b] + a.model.blocks[b]);
+  std::vector<bool> seen(a.model.facades.size(), false);
+  const std::vector<PartNumbers> numbers = part_numbers(s.model);
+  for (const PartNumbers& n : numbers)
+    if (n.strip != kNoStrip && a.strip_points[n.strip] > 0) seen[n.facade] = true;
   for (size_t f = 0; f < a.model.facades.size(); ++f)
-    left.add(kOfFacades, s.offsets.facades[f] + a.model.facades[f]);
+    if (seen[f]) left.add(kOfFacades, s.offsets.facades[f] + a.model.facades[f]);
   for (size_t i = 0; i < a.model.strips.size(); ++i)
     if (a.strip_points[i] > 0) left.add(kOfStrips, s.offsets.strips[i] + a.model.strips[i]);
   return left;

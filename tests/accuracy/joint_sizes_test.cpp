@@ -8,7 +8,7 @@
 #include <ctime>
 
 #include "base/random.h"
-#include "registration/joint/joint_problem.h"
+#include "registration/solvers/joint_problem.h"
 #include "registration/joint/ray_matching.h"
 
 // How the cost of a joint adjustment grows. What it takes is printed (JALON_FULL: the size that is promised).
@@ -25,10 +25,9 @@ double greatest_memory_gib() {
   return static_cast<double>(used.ru_maxrss) / (1024 * 1024);
 }
 
-// A long drive: ten strips a control time, each seen from three or four; five strips a facade, eight facades a block;
+// A long drive: strips seen from four control times each; five strips a facade, eight facades a block;
 // facades along the street and across it by turns.
-JointProblem long_drive(size_t strips) {
-  const size_t controls = strips / 10;
+JointProblem long_drive(size_t strips, size_t controls) {
   std::vector<double> times, sigmas(controls, 1.0), velocities(controls, 0.01);
   for (size_t c = 0; c < controls; ++c) times.push_back(static_cast<double>(c));
   JointProblem made;
@@ -41,7 +40,7 @@ JointProblem long_drive(size_t strips) {
     const double turn = 0.1 * (random.uniform() - 0.5);
     strip.normal = strip.facade % 2 == 0 ? Vec2{std::sin(turn), std::cos(turn)}
                                          : Vec2{std::cos(turn), std::sin(turn)};
-    const auto first = static_cast<uint32_t>(std::min<size_t>(s / 10, controls - 4));
+    const auto first = static_cast<uint32_t>(std::min<size_t>(s * controls / strips, controls - 4));
     strip.shares = {{first, 0.2}, {first + 1, 0.4}, {first + 2, 0.3}, {first + 3, 0.1}};
     strip.distance_m = random.normal();
     made.strips.push_back(strip);
@@ -88,18 +87,23 @@ struct WallRows {
 
 }  // namespace
 
+// Both grow, then strips alone and control times alone.
 TEST_CASE("joint_sizes__of_a_drive_four_times_as_long__have_the_same_sigmas") {
-  const size_t most = is_full() ? 100000 : 4000;
+  const size_t most = is_full() ? 100000 : 4000, times = most / 10;
+  struct Size {
+    size_t strips, controls;
+  };
   double last = 0;
-  for (const size_t strips : {most / 4, most / 2, most}) {
-    const JointProblem problem = long_drive(strips);
+  for (const Size& size : {Size{most / 4, times / 4}, Size{most / 2, times / 2}, Size{most, times},
+                           Size{most / 2, times}, Size{most, times / 2}}) {
+    const JointProblem problem = long_drive(size.strips, size.controls);
     const double start = processor_s();
     const JointSolution solution = solve_reduced(problem, JointWanted::kSigmas);
     const double used = processor_s() - start;
-    MESSAGE("FIGURE joint sizes: ", strips, " strips, ", problem.controls(), " control times, ",
-            problem.blocks, " blocks, with all sigmas: ", used, " s of one processor, ",
-            last > 0 ? used / last : 1, " times that of half; greatest memory ",
-            greatest_memory_gib(), " GiB");
+    MESSAGE("FIGURE joint sizes: ", size.strips, " strips, ", problem.controls(),
+            " control times, ", problem.blocks, " blocks, with all sigmas: ", used,
+            " s of one processor, ", last > 0 ? used / last : 1,
+            " times that of the line before; greatest memory ", greatest_memory_gib(), " GiB");
     last = used;
     // The middle of a long drive does not know where it ends: as sure as that of the longest.
     const Vec2 middle = solution.trajectory_sigmas[problem.controls() / 2];
