@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "base/parallel.h"
 
@@ -38,10 +39,28 @@ bool is_better(const Place& a, const Place& b) {
   return a.by.u != b.by.u ? a.by.u < b.by.u : a.by.v < b.by.v;
 }
 
+// What each block asks for, found once for all of them: a city has thousands.
+struct BlockParts {
+  std::vector<std::vector<uint32_t>> triangles;  ///< of each block
+  std::vector<uint32_t> by_x;                    ///< points
+
+  BlockParts(const JointPoints& points, const StripScene& scene)
+      : triangles(scene.blocks), by_x(points.size()) {
+    for (uint32_t t = 0; t < scene.face_of.size(); ++t)
+      if (const uint32_t block = scene.block_of_face[scene.face_of[t]]; block != kNoStrip)
+        triangles[block].push_back(t);
+    std::iota(by_x.begin(), by_x.end(), 0);
+    std::sort(by_x.begin(), by_x.end(), [&](uint32_t a, uint32_t b) {
+      const double x = points.at[a].x, other = points.at[b].x;
+      return x != other ? x < other : a < b;
+    });
+  }
+};
+
 class BlockSearch {
  public:
-  BlockSearch(const JointPoints& points, const StripScene& scene, const JointSettings& settings,
-              uint32_t block, Task& task)
+  BlockSearch(const JointPoints& points, const StripScene& scene, const BlockParts& parts,
+              const JointSettings& settings, uint32_t block, Task& task)
       : points_(points),
         scene_(scene),
         settings_(settings),
@@ -50,8 +69,7 @@ class BlockSearch {
         least_tolerance_m_(kWithin * rest_m(points, settings)) {
     std::vector<Vec3> corners;
     std::vector<std::array<uint32_t, 3>> triangles;
-    for (uint32_t t = 0; t < scene.face_of.size(); ++t) {
-      if (scene.block_of_face[scene.face_of[t]] != block) continue;
+    for (const uint32_t t : parts.triangles[block]) {
       const auto first = static_cast<uint32_t>(corners.size());
       for (uint32_t k = 0; k < 3; ++k) corners.push_back(scene.corners[3 * size_t{t} + k]);
       triangles.push_back({first, first + 1, first + 2});
@@ -59,7 +77,7 @@ class BlockSearch {
     }
     if (triangles.empty()) return;
     tree_ = TriangleTree::build(corners, triangles, task);
-    find_near(corners);
+    find_near(corners, parts.by_x);
   }
 
   Vec2 found() const {
@@ -75,15 +93,16 @@ class BlockSearch {
   }
 
  private:
-  void find_near(const std::vector<Vec3>& corners) {
+  void find_near(const std::vector<Vec3>& corners, const std::vector<uint32_t>& by_x) {
     Box3 box;
     for (const Vec3& c : corners) box.add(c);
     const double x = kReach * settings_.sigma_block_x_m, y = kReach * settings_.sigma_block_y_m;
-    for (uint32_t i = 0; i < points_.size(); ++i) {
-      const Vec3& p = points_.at[i];
-      if (p.x > box.min.x - x && p.x < box.max.x + x && p.y > box.min.y - y && p.y < box.max.y + y)
-        near_.push_back(i);
-    }
+    const auto first = std::partition_point(
+        by_x.begin(), by_x.end(), [&](uint32_t i) { return !(points_.at[i].x > box.min.x - x); });
+    for (auto i = first; i != by_x.end() && points_.at[*i].x < box.max.x + x; ++i)
+      if (const double at = points_.at[*i].y; at > box.min.y - y && at < box.max.y + y)
+        near_.push_back(*i);
+    std::sort(near_.begin(), near_.end());
   }
 
   // 1. All places of a grid, by few points.
@@ -178,8 +197,9 @@ std::vector<Vec2> find_blocks(const JointPoints& points, const StripScene& scene
                               const JointSettings& settings, Task& task) {
   std::vector<Vec2> made(scene.blocks);
   if (!is_block_search_wanted(points, settings)) return made;
+  const BlockParts parts(points, scene);
   for (uint32_t b = 0; b < scene.blocks; ++b)
-    made[b] = BlockSearch(points, scene, settings, b, task).found();
+    made[b] = BlockSearch(points, scene, parts, settings, b, task).found();
   return made;
 }
 

@@ -46,11 +46,6 @@ void require_prior(const Trajectory& trajectory, const JointSettings& settings) 
          "sigma_strip_m is 0: the conditions of the strips could not all hold");
 }
 
-// A sigma of 0 holds a group where it is; the sparse form needs it positive.
-bool has_zero(const JointSettings& s) {
-  return !(s.sigma_block_x_m > 0 && s.sigma_block_y_m > 0 && s.sigma_facade_m > 0);
-}
-
 class JointLoop {
  public:
   JointLoop(const Model& model, const Cloud& cloud, const Trajectory& trajectory,
@@ -184,7 +179,7 @@ class JointLoop {
     const auto by = [&](const JointProblem& problem, JointWanted what) {
       task_.checkpoint(static_cast<double>(made_.passes.size()) /
                        static_cast<double>(settings_.most_passes));
-      return has_zero(settings_) ? solve_dense(problem) : solve_reduced(problem, what);
+      return solve_reduced(problem, what);
     };
     return settings_.set_back == JointSettings::SetBack::kBehind
                ? solve_set_back(problem_, wanted, by)

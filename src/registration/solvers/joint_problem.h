@@ -117,14 +117,10 @@ enum class JointWanted {
   kCovariance,  ///< and the field covariance, dense
   kWhole,       ///< and the field whole_covariance
 };
-/// By the normal equations of trajectory, blocks and turns alone, facades and strips eliminated: sparse, the
-/// same answer as the dense form to rounding. All sigmas but those
-/// of turns must be positive. Without measured noise the
-/// conditions hold exactly.
+/// By the normal equations of trajectory, blocks and turns alone, facades and strips eliminated: sparse, the same
+/// answer to rounding as l^ = C B (B^T C B)^-1 c and C_l^ = C - C B (B^T C B)^-1 B^T C with all observations. Sigmas of
+/// strips and of velocities must be positive; what has a sigma of 0 stays. Without measured noise the conditions hold
+/// exactly.
 JointSolution solve_reduced(const JointProblem& problem, JointWanted wanted);
-
-/// The reference: l^ = C B (B^T C B)^-1 c and C_l^ = C - C B (B^T C B)^-1 B^T C with all observations.
-/// O(strips^3); strips' sigmas must be positive, the others may be 0.
-JointSolution solve_dense(const JointProblem& problem);
 
 }  // namespace jalon

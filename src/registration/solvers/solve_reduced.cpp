@@ -23,8 +23,8 @@ struct RowElement {
   double value;
 };
 
-// The row of a strip: derivatives of its condition by T_x, T_y, d_x, d_y and, in units of their own sigmas so that a
-// sigma of 0 leaves no singular matrix, by the turns.
+// The row of a strip: derivatives of its condition by T_x, T_y and, in units of their own sigmas so that a sigma of 0
+// leaves no singular matrix, by d_x, d_y and the turns.
 std::vector<RowElement> row_of(const StripCondition& strip, const JointProblem& problem,
                                const JointOrder& at) {
   std::vector<RowElement> row;
@@ -32,8 +32,8 @@ std::vector<RowElement> row_of(const StripCondition& strip, const JointProblem& 
     row.push_back({static_cast<Index>(at.tx(control)), -share * strip.normal.u});
     row.push_back({static_cast<Index>(at.ty(control)), -share * strip.normal.v});
   }
-  row.push_back({static_cast<Index>(at.dx(strip.block)), strip.normal.u});
-  row.push_back({static_cast<Index>(at.dy(strip.block)), strip.normal.v});
+  row.push_back({static_cast<Index>(at.dx(strip.block)), strip.normal.u * problem.sigma_block_x_m});
+  row.push_back({static_cast<Index>(at.dy(strip.block)), strip.normal.v * problem.sigma_block_y_m});
   for (size_t k = 0; k < at.turns; ++k)
     row.push_back(
         {static_cast<Index>(at.turn(k)), strip.turns_m[k] * problem.sigma_attitude_rad[k]});
@@ -53,13 +53,8 @@ void add_prior(const JointProblem& problem, const JointOrder& at, Triplets& into
   };
   chain(problem.x, at.tx(0));
   chain(problem.y, at.ty(0));
-  for (size_t b = 0; b < at.blocks; ++b) {
-    const auto x = static_cast<Index>(at.dx(b)), y = static_cast<Index>(at.dy(b));
-    into.push_back({x, x, 1 / (problem.sigma_block_x_m * problem.sigma_block_x_m)});
-    into.push_back({y, y, 1 / (problem.sigma_block_y_m * problem.sigma_block_y_m)});
-  }
-  for (size_t k = 0; k < at.turns; ++k)
-    into.push_back({static_cast<Index>(at.turn(k)), static_cast<Index>(at.turn(k)), 1});
+  for (auto i = static_cast<Index>(at.dx(0)); i < static_cast<Index>(at.size()); ++i)
+    into.push_back({i, i, 1});
 }
 
 class ReducedSolver {
@@ -259,10 +254,9 @@ class ReducedSolver {
     const auto n = static_cast<Index>(at_.size());
     if (wanted == JointWanted::kCovariance || wanted == JointWanted::kWhole) {
       made.covariance = factor_.solve(Eigen::MatrixXd::Identity(n, n));
-      for (size_t k = 0; k < at_.turns; ++k) {
-        const auto i = static_cast<Index>(at_.turn(k));
-        made.covariance.row(i) *= problem_.sigma_attitude_rad[k];
-        made.covariance.col(i) *= problem_.sigma_attitude_rad[k];
+      for (Index i = 0; i < n; ++i) {
+        made.covariance.row(i) *= unit_of(i);
+        made.covariance.col(i) *= unit_of(i);
       }
     }
     Eigen::VectorXd variances(n);
@@ -270,15 +264,24 @@ class ReducedSolver {
     return variances;
   }
 
-  static Vec2 pair(const Eigen::VectorXd& v, size_t i, size_t j) {
-    return {v[static_cast<Index>(i)], v[static_cast<Index>(j)]};
+  // What an unknown is counted in.
+  double unit_of(Index unknown) const {
+    const auto i = static_cast<size_t>(unknown);
+    if (i >= at_.turn(0)) return problem_.sigma_attitude_rad[i - at_.turn(0)];
+    if (i >= at_.dy(0)) return problem_.sigma_block_y_m;
+    return i >= at_.dx(0) ? problem_.sigma_block_x_m : 1;
+  }
+  double value_of(const Eigen::VectorXd& v, size_t i) const {
+    const auto at = static_cast<Index>(i);
+    return unit_of(at) * v[at];
+  }
+  Vec2 pair(const Eigen::VectorXd& v, size_t i, size_t j) const {
+    return {value_of(v, i), value_of(v, j)};
   }
   Vec3 turns_of(const Eigen::VectorXd& v) const {
     Vec3 made;
-    for (int k = 0; k < static_cast<int>(at_.turns); ++k) {
-      const auto axis = static_cast<size_t>(k);
-      made[k] = problem_.sigma_attitude_rad[axis] * v[static_cast<Index>(at_.turn(axis))];
-    }
+    for (int k = 0; k < static_cast<int>(at_.turns); ++k)
+      made[k] = value_of(v, at_.turn(static_cast<size_t>(k)));
     return made;
   }
   void place(const Eigen::VectorXd& x, JointSolution& made) const {
@@ -306,23 +309,17 @@ class ReducedSolver {
   double distances_square_ = 0;  ///< h^T V^-1 h
 };
 
-void require_positive_sigmas(const JointProblem& problem) {
-  if (!(problem.sigma_block_x_m > 0) || !(problem.sigma_block_y_m > 0) ||
-      !(problem.sigma_facade_m > 0))
-    fail(Status::kInvalidArgument,
-         "a sigma of blocks or facades is 0: the reduced form needs them positive");
+void require_drift(const JointProblem& problem) {
   for (const GaussMarkov* chain : {&problem.x, &problem.y})
     for (const double q : chain->innovations)
-      if (!(q > 0))
-        fail(Status::kInvalidArgument,
-             "a velocity sigma is 0: the reduced form needs them positive");
+      if (!(q > 0)) fail(Status::kInvalidArgument, "a velocity sigma of the trajectory is 0");
 }
 
 }  // namespace
 
 JointSolution solve_reduced(const JointProblem& problem, JointWanted wanted) {
   validate(problem);
-  require_positive_sigmas(problem);
+  require_drift(problem);
   return ReducedSolver(problem).solve(wanted);
 }
 

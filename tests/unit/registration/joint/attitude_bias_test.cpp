@@ -11,6 +11,7 @@
 #include "registration/solvers/joint_residuals.h"
 #include "scan/mobile/drive_scenario.h"
 #include "unit/registration/joint/joint_street.h"
+#include "unit/registration/solvers/dense_form.h"
 
 using namespace jalon;
 

@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "unit/registration/joint/joint_street.h"
+#include "unit/registration/solvers/dense_form.h"
 
 using namespace jalon;
 

@@ -8,6 +8,7 @@
 #include "registration/solvers/joint_residuals.h"
 #include "unit/registration/solvers/joint_bands.h"
 #include "unit/registration/joint/joint_street.h"
+#include "unit/registration/solvers/dense_form.h"
 
 using namespace jalon;
 
@@ -163,14 +164,26 @@ TEST_CASE("solve_reduced__of_five_scenarios__equals_the_dense_form") {
     }
 }
 
-TEST_CASE("solve_reduced__with_sigmas_of_zero__is_refused_and_the_dense_form_takes_them") {
+// What is sure stays where it is, by the same form and at the same cost.
+TEST_CASE("solve_reduced__with_sigmas_of_zero__equals_the_dense_form") {
   const JointStreet& street = joint_street();
   JointProblem problem = street.problem({0.01, 0.01, 0.01, 2});
-  problem.strips = street.perfect_conditions().conditions;
-  problem.sigma_block_x_m = problem.sigma_block_y_m = 0;
-  CHECK_THROWS_AS(solve_reduced(problem, JointWanted::kSigmas), Error);
-  const JointSolution made = solve_dense(problem);
-  for (const Vec2& b : made.blocks) CHECK(norm(b) == 0);
+  const StripConditions perfect = street.perfect_conditions();
+  problem.strips = perfect.conditions;
+  set_distances(problem, drawn_errors(street, problem, 78), perfect.strip_of);
+  problem.sigma_block_x_m = problem.sigma_facade_m = 0;
+  const JointSolution made = solve_reduced(problem, JointWanted::kWhole),
+                      dense = solve_dense(problem);
+  for (size_t b = 0; b < made.blocks.size(); ++b) {
+    CHECK(made.blocks[b].u == 0);
+    CHECK(made.blocks_sigmas[b].u == 0);
+    CHECK(std::fabs(made.blocks[b].v - dense.blocks[b].v) < 1e-9);
+  }
+  for (const double f : made.facades) CHECK(f == 0);
+  for (size_t c = 0; c < made.trajectory.size(); ++c)
+    CHECK(norm(made.trajectory[c] - dense.trajectory[c]) < 1e-9);
+  CHECK((made.whole_covariance - dense.whole_covariance).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK(std::fabs(made.chi_square / dense.chi_square - 1) < 1e-6);
   problem.sigma_strip_m = 0;
-  CHECK_THROWS_AS(solve_dense(problem), Error);
+  CHECK_THROWS_AS(solve_reduced(problem, JointWanted::kSigmas), Error);
 }

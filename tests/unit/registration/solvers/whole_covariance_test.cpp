@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "unit/registration/joint/joint_street.h"
+#include "unit/registration/solvers/dense_form.h"
 
 using namespace jalon;
 

@@ -1,14 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#pragma once
+
 #include <cmath>
 
 #include "base/error.h"
 #include "registration/solvers/facade_strips.h"
 #include "registration/solvers/joint_problem.h"
 
+// The adjustment as its text has it, to hold the reduced form against: l^ = C B (B^T C B)^-1 c and
+// C_l^ = C - C B (B^T C B)^-1 B^T C with all observations. O(strips^3).
 namespace jalon {
 
-namespace {
+namespace dense {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -22,7 +26,7 @@ struct DenseOrder : JointOrder {
   Index all() const { return static_cast<Index>(JointOrder::size() + facades + strips); }
 };
 
-MatrixXd prior_covariance(const JointProblem& problem, const DenseOrder& at) {
+inline MatrixXd prior_covariance(const JointProblem& problem, const DenseOrder& at) {
   MatrixXd C = MatrixXd::Zero(at.all(), at.all());
   for (size_t i = 0; i < at.controls; ++i)
     for (size_t j = 0; j < at.controls; ++j) {
@@ -50,7 +54,7 @@ MatrixXd prior_covariance(const JointProblem& problem, const DenseOrder& at) {
 }
 
 // A column a strip, and two a control point behind them: v - sum w T = 0.
-MatrixXd conditions(const JointProblem& problem, const DenseOrder& at) {
+inline MatrixXd conditions(const JointProblem& problem, const DenseOrder& at) {
   MatrixXd B = MatrixXd::Zero(at.all(), static_cast<Index>(problem.conditions()));
   for (size_t s = 0; s < at.strips; ++s) {
     const StripCondition& strip = problem.strips[s];
@@ -77,7 +81,7 @@ MatrixXd conditions(const JointProblem& problem, const DenseOrder& at) {
   return B;
 }
 
-VectorXd misclosures(const JointProblem& problem) {
+inline VectorXd misclosures(const JointProblem& problem) {
   VectorXd c(static_cast<Index>(problem.conditions()));
   Index at = 0;
   for (const StripCondition& strip : problem.strips) c[at++] = -strip.distance_m;
@@ -85,22 +89,22 @@ VectorXd misclosures(const JointProblem& problem) {
     c[at++] = -point.correction_m.u, c[at++] = -point.correction_m.v;
   return c;
 }
-double measured_variance_m2(const JointProblem& problem, Index condition) {
+inline double measured_variance_m2(const JointProblem& problem, Index condition) {
   const auto i = static_cast<size_t>(condition), strips = problem.strips.size();
   if (i < strips) return problem.strips[i].measured_variance_m2;
   const double sigma = problem.control_points[(i - strips) / 2].sigma_m;
   return sigma * sigma;
 }
 
-}  // namespace
+}  // namespace dense
 
-JointSolution solve_dense(const JointProblem& problem) {
+inline JointSolution solve_dense(const JointProblem& problem) {
+  using namespace dense;
   validate(problem);
   const DenseOrder at{order_of(problem), problem.facades, problem.strips.size()};
   const MatrixXd C = prior_covariance(problem, at), B = conditions(problem, at);
-  // Products and solves in their plain order: Eigen's blocked ones follow the machine's caches, and so would the bits.
-  const MatrixXd CB = C.lazyProduct(B);
-  MatrixXd BCB = B.transpose().lazyProduct(CB);
+  const MatrixXd CB = C * B;
+  MatrixXd BCB = B.transpose() * CB;
   const VectorXd c = misclosures(problem);
   for (Index i = 0; i < c.size(); ++i) BCB(i, i) += measured_variance_m2(problem, i);
   const Eigen::LDLT<MatrixXd> factor(BCB);
@@ -112,7 +116,7 @@ JointSolution solve_dense(const JointProblem& problem) {
     const VectorXd row = CB.row(i).transpose();
     solved.col(i) = factor.solve(row);
   }
-  const MatrixXd posterior = C - CB.lazyProduct(solved);
+  const MatrixXd posterior = C - CB * solved;
   const VectorXd sigmas = posterior.diagonal().cwiseMax(0).cwiseSqrt();
   JointSolution made;
   made.chi_square = c.dot(k);
