@@ -136,15 +136,20 @@ class JointLoop {
   }
 
   // A strip that contradicts the others counts less: its variance grows with the square of its offset in the pass
-  // before, from three of its standard deviations on. (A wrong strip has the offset of another wall.)
+  // before, from where of so many strips one is as far off in one drive of twenty. (A wrong strip has the offset of
+  // another wall; three standard deviations have a strip or two of any drive, and its own offset would be held back.)
   void weigh_strips() {
-    constexpr double kGreatest = 3;
-    if (settings_.kernel == JointSettings::Kernel::kNone || made_.passes.empty()) return;
+    constexpr double kRare = 0.05;
+    if (settings_.kernel == JointSettings::Kernel::kNone || made_.passes.empty() ||
+        settings_.matches == JointSettings::Matches::kIds)
+      return;
+    const double greatest =
+        normal_quantile(1 - kRare / 2 / static_cast<double>(problem_.strips.size()));
     const double variance = settings_.sigma_strip_m * settings_.sigma_strip_m;
     for (size_t i = 0; i < problem_.strips.size(); ++i) {
       const double t = misfit(problem_.strips[i]) / settings_.sigma_strip_m;
-      if (std::fabs(t) > kGreatest)
-        problem_.strips[i].measured_variance_m2 += variance * (t * t / (kGreatest * kGreatest) - 1);
+      if (std::fabs(t) > greatest)
+        problem_.strips[i].measured_variance_m2 += variance * (t * t / (greatest * greatest) - 1);
     }
   }
   // Of a condition where everything but its strip stands as the pass before left it.
