@@ -26,6 +26,9 @@ constexpr double kRimCells =
 constexpr size_t kRecessPointsPerChunk = 1 << 15;
 constexpr size_t kLookedAtCells_recess = 20000;
 
+// Of the border of a window that piers too narrow to frame it enclose, as that of an empty opening (find_openings.cpp).
+constexpr double kEnclosingShare = 0.95;
+
 // An opening of a wall and what was measured along its four sides, between the wall and the one behind it.
 struct Recess {
   const WallEvidence* front = nullptr;
@@ -98,6 +101,14 @@ std::vector<Recess> recesses_of(const WallEvidence& plane, const WallEvidence& f
   return out;
 }
 
+// Beside the door of a loggia little of its back wall is seen: too little to frame it, all about it all the same.
+bool has_enclosed_openings(const WallEvidence& plane) {
+  return std::any_of(plane.openings.begin(), plane.openings.end(), [](const auto& opening) {
+    return opening.is_opening &&
+           (opening.framed >= kFramedShare || opening.bordered >= kEnclosingShare);
+  });
+}
+
 // The box of an opening of the wall before, in the plane of the one behind it.
 RingBox box_behind(const Recess& recess, const WallCells& cells) {
   const RingBox outer = recess.box.grown(recess.front->cells.cell_m);
@@ -131,7 +142,7 @@ void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& 
   std::vector<size_t> back;
   for (size_t s = 0; s < all.size(); ++s)
     for (size_t w = 0; w < all.size(); ++w) {
-      if (w == s || !all[w].is_wall() || !all[s].is_wall() || !all[s].has_framed_openings() ||
+      if (w == s || !all[w].is_wall() || !all[s].is_wall() || !has_enclosed_openings(all[s]) ||
           dot(all[s].cells.frame.normal, all[w].cells.frame.normal) < kSameWayCosine_recess)
         continue;
       task.checkpoint(0);

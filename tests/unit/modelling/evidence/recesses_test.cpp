@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "modelling/evidence/evidence.h"
+#include "modelling/evidence/recesses.h"
 #include "unit/modelling/layers.h"
 
 using namespace jalon;
@@ -49,6 +50,26 @@ TEST_CASE("tell_recesses__a_wall_to_which_the_sides_of_openings_lead_is_a_loggia
   front.add_sides(kBack_m);
   CHECK(front.is_recess());
   CHECK(front.is_recess(4));
+}
+
+TEST_CASE("tell_recesses__a_back_wall_too_narrow_to_frame_its_windows_is_a_loggias_too") {
+  Front front;
+  front.add_sides(kBack_m);
+  Segmentation segmentation = walls::segmentation_of({front.wall, front.back, front.sides});
+  for (const size_t s : {0u, 1u})
+    segmentation.segments[s].area_m2 =
+        kStep_m * kStep_m * static_cast<double>(s == 0 ? front.wall.size() : front.back.size());
+  Task task;
+  auto evidence = gather_evidence(segmentation, {}, task);
+  const auto is_recess_with = [&](double framed, double bordered) {
+    for (OpeningCandidate& opening : evidence[1].openings)
+      opening.framed = framed, opening.bordered = bordered;
+    tell_recesses(segmentation, evidence, task);
+    return evidence[1].is_recess;
+  };
+  CHECK(is_recess_with(0.4, 1));
+  CHECK_FALSE(is_recess_with(0.4, 0.8));
+  CHECK(is_recess_with(0.6, 0.8));
 }
 
 TEST_CASE("tell_recesses__what_hangs_behind_panes_is_none") {
