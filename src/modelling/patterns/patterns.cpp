@@ -12,6 +12,7 @@
 #include "modelling/patterns/place.h"
 #include "modelling/patterns/site.h"
 #include "modelling/patterns/types.h"
+#include "modelling/walls/sills.h"
 
 namespace jalon {
 
@@ -185,7 +186,9 @@ class Completion {
     std::vector<Vec2> out = thinned_border(wall_.openings[i]);
     if (!best_of(p).ends_at_sill || wall_.openings[i].ends_at_sill) return out;
     const double foot_v = motion.point(patterns_[p].box.low).v;
-    std::erase_if(out, [&](const Vec2& b) { return b.v < foot_v + spacing_m; });
+    std::erase_if(out, [&](const Vec2& b) {
+      return b.v < foot_v + spacing_m && b.v > foot_v - kMostSillHeight_m;
+    });
     return out;
   }
 

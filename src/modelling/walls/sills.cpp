@@ -15,7 +15,6 @@ namespace jalon {
 namespace {
 
 constexpr double kSillsParallel = 0.985;  // 10 degrees, as walls of one facade
-constexpr double kMostHeight_m = 0.35;    // of a sill's front: stone sills have 0.08-0.25
 constexpr double kLeastSpan = 0.8;        // of the hole's width
 constexpr double kLowestShare = 0.3;      // of the hole's height, where its upper edge may be
 constexpr double kFlare_spacings =
@@ -57,7 +56,7 @@ std::vector<Sill> sills_before(const std::vector<VectorPlane>& planes, size_t wa
       }
       in_front /= static_cast<double>(face.outline.corners.size());
       if (in_front < kFront_spacings * planes[wall].spacing_m || in_front > front_m) continue;
-      if (sill.box.height() > kMostHeight_m) continue;
+      if (sill.box.height() > kMostSillHeight_m) continue;
       for (const VectorEdge& edge : face.outline.edges)
         if (edge.direction == EdgeDirection::kHorizontal) sill.sigma_m = edge.sigma_m;
       out.push_back(sill);
@@ -99,7 +98,7 @@ std::optional<Sill> sill_of_points(const RingBox& hole, const HoleSurvey& survey
   const auto last = static_cast<double>(levels.size() - 1);
   const auto at = [&](double share) { return levels[static_cast<size_t>(share * last)]; };
   const double foot = at(kStrays), top = at(1 - kStrays);
-  if (top - foot > kMostHeight_m) return {};
+  if (top - foot > kMostSillHeight_m) return {};
   // A rail or a flower box with the opening going on below it is no sill.
   const auto below =
       std::count_if(behind.begin(), behind.end(), [&](double v) { return v < foot - spacing_m; });

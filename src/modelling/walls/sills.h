@@ -9,6 +9,9 @@
 
 namespace jalon {
 
+/// Of a sill's front: stone sills have 0.08 to 0.25 m.
+inline constexpr double kMostSillHeight_m = 0.35;
+
 /// A sill that stands out hides the wall behind it and the foot of the opening above: the hole in
 /// the wall's points goes down to the sill's underside and is as wide as the sill there. Ends such
 /// holes, and the rings of the wall's faces with them, at the upper edge of the sill's front, with

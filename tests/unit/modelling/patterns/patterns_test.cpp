@@ -166,6 +166,27 @@ TEST_CASE("patterns__a_shaded_window_whose_sill_was_not_told_ends_at_it_like_the
   CHECK(worst_m < 0.03);
 }
 
+TEST_CASE("patterns__a_window_that_goes_on_below_is_none_of_those_that_end_at_a_sill") {
+  constexpr double kTaller_m = 0.55;  // more than a sill's front
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    DrawnWall drawn = regular_wall(seed);
+    const size_t which = RandomStream(seed, 11).below(drawn.truth.size());
+    drawn.truth[which].low.v -= kTaller_m;
+    drawn.truth[which].size.v += kTaller_m;
+    FacadeWall wall = drawn.wall();
+    for (size_t i = 0; i < wall.openings.size(); ++i) wall.openings[i].ends_at_sill = i != which;
+    std::replace(wall.map.cells.begin(), wall.map.cells.end(), WallCell::kThrough,
+                 WallCell::kUnknown);     // glass shows nothing
+    wall.openings[which].coverage = 0.5;  // too little to be a form of its own
+    for (Vec2& p : wall.openings[which].outline.corners) p.u += 0.015;  // measured badly
+    const VectorRing before = wall.openings[which].outline;
+    complete_patterns(wall, {});
+    CHECK(wall.openings[which].evidence != Evidence::kCopied);
+    CHECK(wall.openings[which].outline.corners == before.corners);
+  }
+}
+
 TEST_CASE("patterns__a_copy_lies_where_its_border_and_the_lines_of_the_grid_say") {
   OpeningGrid grid{{}, {{10, {1, 2, 3}}}, 0.005};
   const GridLine* line = &grid.columns[0];
