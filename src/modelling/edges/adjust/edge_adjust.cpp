@@ -216,4 +216,17 @@ EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& 
   return all.matrix;
 }
 
+void move_to_reveal(const EdgeSetting& setting, MeasuredEdge& edge) {
+  // Before the plane lies what covers the wall: a surround's face, not the side of the opening.
+  edge.before.clear();
+  double extra_per_m = 0;
+  const EdgeEvidence reveal = reveal_evidence(setting, edge, extra_per_m);
+  if (reveal.empty()) return;
+  edge.shape.shift(reveal.mean_m);
+  edge.shape.set_ends(edge.shape.first, edge.shape.last);
+  edge.shape.sigma_m = std::sqrt(reveal.variance_m2);
+  edge.shape.source = EdgeSource::kReveal;
+  edge.moved_m += reveal.mean_m;
+}
+
 }  // namespace jalon

@@ -33,4 +33,8 @@ using EdgeInformation = Square<3>;
 EdgeInformation adjust_edge(const EdgeSetting& setting, const CountingVariance& variance,
                             MeasuredEdge& edge);
 
+/// Moves an edge to where its reveals alone say, where they say anything: its own points may end elsewhere, as those
+/// of a wall about an opening with a surround do. Before, after: as adjust_edge.
+void move_to_reveal(const EdgeSetting& setting, MeasuredEdge& edge);
+
 }  // namespace jalon

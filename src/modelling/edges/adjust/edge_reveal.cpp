@@ -30,6 +30,9 @@ constexpr double kReach_m = 0.004, kReachOfSpacing = 0.12;
 constexpr double kEdgeRevealOutlier = 3, kLeastSigma_m = 0.0003;
 // Walls and reveals are square within a degree or two; what the points say of the slope is weighed with that.
 constexpr double kEdgeRevealSlopeSigma = 0.03;
+// Steeper than walls and reveals are out of square: an embrasure, which has as many points between its ends as
+// anywhere, or a line through one column of points on a reveal and one on the frame behind it, which has none there.
+constexpr double kOutOfSquare = 3 * kEdgeRevealSlopeSigma, kLeastBetween = 0.1;
 constexpr double kBins = 8, kLeastBinsHit = 3;
 constexpr double kTimesBackground = 2.5;
 
@@ -143,13 +146,20 @@ std::optional<SettledLine> settled_line(std::span<const RevealPoint> points, dou
   return out;
 }
 
-// Step 4: more points than the clutter beside the edge explains, along most of the edge.
-bool is_surface(std::span<const RevealPoint> points, std::span<const RevealPoint> inliers,
-                double sigma_m, const RevealSetting& setting) {
+// Step 4: more points than the clutter beside the edge explains, along most of the edge, and as far as it goes back.
+bool is_surface(std::span<const RevealPoint> points, const SettledLine& settled,
+                const RevealSetting& setting) {
+  const auto& [line, sigma_m, inliers, sums] = settled;
   std::vector<double> heights;
   for (const RevealPoint& p : inliers) heights.push_back(p.height_m);
-  const double span = quantile(heights, 0.9) - quantile(heights, 0.1);
+  const double first = quantile(heights, 0.1), span = quantile(heights, 0.9) - first;
   if (span < std::max(kLeastSpan_m, kLeastSpanSigmas * setting.sigma_m)) return false;
+  const auto between = std::count_if(heights.begin(), heights.end(), [&](double h) {
+    return h > first + span / 4 && h < first + 3 * span / 4;
+  });
+  if (std::fabs(line.slope) > kOutOfSquare &&
+      static_cast<double>(between) < kLeastBetween * static_cast<double>(heights.size()))
+    return false;
   double low = INFINITY, high = -INFINITY;
   for (const RevealPoint& p : points) {
     low = std::min(low, p.d_m);
@@ -196,7 +206,7 @@ std::optional<Reveal> find_about(std::span<const RevealPoint> points, double ass
   const std::optional<SettledLine> settled = settled_line(used, reach_m, *drawn);
   if (!settled) return std::nullopt;
   const auto& [line, sigma, inliers, sums] = *settled;
-  if (!is_surface(used, inliers, sigma, setting)) return std::nullopt;
+  if (!is_surface(used, *settled, setting)) return std::nullopt;
   double nearest = INFINITY, farthest = 0;
   for (const RevealPoint& p : inliers) {
     nearest = std::min(nearest, std::fabs(p.height_m));

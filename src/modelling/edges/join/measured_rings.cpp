@@ -16,6 +16,7 @@
 #include "modelling/edges/find/guided_steps.h"
 #include "modelling/edges/find/ransac_parts.h"
 #include "modelling/edges/find/straighten.h"
+#include "modelling/edges/join/form_sides.h"
 #include "modelling/edges/join/ring_nodes.h"
 
 namespace jalon {
@@ -42,7 +43,8 @@ struct Draft {
   bool is_opening;
   std::vector<MeasuredEdge> edges;
   std::vector<EdgeInformation> information;
-  const VectorRing* form = nullptr;  ///< what it is to be drawn as; else by its edges
+  const VectorRing* form = nullptr;      ///< what it is to be drawn as; else by its edges
+  std::vector<MeasuredEdge> sides = {};  ///< of that
   bool is_settled() const { return form != nullptr; }
 };
 
@@ -236,6 +238,11 @@ void measure(std::vector<Draft>& drafts, const NearPoints& near, const PointRows
     for (Draft& draft : drafts)
       for (size_t i = 0; i < draft.edges.size(); ++i)
         draft.information[i] = adjusted(draft.edges[i]);
+    for (Draft& draft : drafts)
+      for (MeasuredEdge& side : draft.sides) {
+        collect(side);
+        move_to_reveal(adjust, side);
+      }
   }
   settle_arcs(drafts, adjust.spacing_m, [&](MeasuredEdge& edge) {
     collect(edge);
@@ -256,7 +263,7 @@ bool has_doubtful_arc(const Draft& draft, double spacing_m) {
 // Steps 4 and 5.
 VectorRing draw(const Draft& draft, const Contour& contour) {
   if (draft.form != nullptr) {
-    VectorRing ring = *draft.form;
+    VectorRing ring = with_sides(*draft.form, draft.sides);
     ring.contour = *draft.chain;
     return ring;
   }
@@ -290,7 +297,8 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
       const Chain& chain = k == 0 ? piece.outline : piece.openings[k - 1];
       drafts.push_back(make_draft(chain, k > 0, setting.arcs, contour, setting, nullptr));
       if (k > 0 && !piece.forms.empty() && !piece.forms[k - 1].corners.empty())
-        drafts.back().form = &piece.forms[k - 1];
+        drafts.back().form = &piece.forms[k - 1],
+        drafts.back().sides = sides_of(piece.forms[k - 1]);
       chains.push_back(chain);
     }
   if (setting.lines == LineMethod::kBestCuts) follow_guides(drafts, chains, source, setting);
@@ -314,8 +322,7 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   }
   std::vector<MeasuredEdge*> all;
   for (Draft& draft : drafts)
-    for (MeasuredEdge& edge : draft.edges)
-      if (!draft.is_settled()) all.push_back(&edge);
+    for (MeasuredEdge& edge : draft.is_settled() ? draft.sides : draft.edges) all.push_back(&edge);
   align_edges(all, contour.spacing_m);
   std::vector<VectorRing> out;
   for (const Draft& draft : drafts) out.push_back(draw(draft, contour));

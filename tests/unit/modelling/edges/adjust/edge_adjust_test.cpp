@@ -84,3 +84,24 @@ TEST_CASE("edge_adjust__a_reveal_of_many_points_wins_over_the_density") {
   CHECK(std::fabs(without.moved_m) < 0.002);
   CHECK(edge.shape.sigma_m < without.shape.sigma_m);
 }
+
+TEST_CASE("edge_adjust__a_given_edge_goes_to_its_reveal_alone_and_stays_without_one") {
+  RandomStream random(8, 57);
+  MeasuredEdge edge = edge_along({1, 0}, 12);
+  add_random_blocks(edge, 12, random, [](double) { return -0.01; });
+  const EdgeLine before = edge.shape.line;
+  move_to_reveal(kEdges, edge);
+  CHECK(edge.shape.line.point == before.point);
+  CHECK(edge.moved_m == 0);
+  // The face of a surround before the wall is no reveal, however many points it has.
+  for (double h = 0.005; h < 0.2; h += 0.01)
+    for (double t = 0; t < edge.shape.length_m; t += 0.02) {
+      edge.before.push_back({t, 0.015, h});
+      edge.behind.push_back({t, 0.004 + 0.001 * random.normal(), -h});
+    }
+  move_to_reveal(kEdges, edge);
+  CHECK(edge.shape.source == EdgeSource::kReveal);
+  CHECK(edge.moved_m == doctest::Approx(0.004).epsilon(0.1).scale(0));
+  CHECK(edge.shape.line.point.v - before.point.v == doctest::Approx(edge.moved_m));
+  CHECK(edge.shape.sigma_m < 0.002);
+}

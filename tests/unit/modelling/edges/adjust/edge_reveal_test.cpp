@@ -62,3 +62,24 @@ TEST_CASE("edge_reveal__a_pane_alone_has_none") {
     CHECK_FALSE(find_reveal(pane(0.02 * random.uniform(), random), kSetting));
   }
 }
+
+TEST_CASE("edge_reveal__one_column_on_it_and_one_on_the_frame_behind_are_no_splayed_embrasure") {
+  // Of a window seen at a slant by one coarse scan: seed 1284 of scene "grammar".
+  std::vector<RevealPoint> columns;
+  for (double t = 0; t < kSetting.length_m; t += 0.05) {
+    RandomStream random(static_cast<uint64_t>(100 * t), 3);
+    const double noise_m = 0.001 * random.normal();
+    columns.push_back({t, noise_m, -0.108 + noise_m});
+    columns.push_back({t, -0.009 + noise_m, -0.143 + noise_m});
+    columns.push_back({t, -0.04, -0.205 + noise_m});
+  }
+  CHECK_FALSE(find_reveal(columns, kSetting));
+  // The embrasure itself, in as many points.
+  std::vector<RevealPoint> splayed;
+  for (double t = 0; t < kSetting.length_m; t += 0.05)
+    for (const double h : {0.1, 0.12, 0.14, 0.16})
+      splayed.push_back({t + h, -0.25 * (h - 0.1), -h});
+  const auto found = find_reveal(splayed, kSetting);
+  REQUIRE(found);
+  CHECK(found->slope == doctest::Approx(0.25).epsilon(0.03).scale(0));
+}
