@@ -27,23 +27,3 @@ function(jalon_folders_together target most alone)
     target_compile_options(${target} PRIVATE -Wno-subobject-linkage)
   endif()
 endfunction()
-
-# Headers of the standard library that most files see are read once for all targets of a `kind`, which agree in optimisation
-# and in how their code can be moved: 0.2 to 0.8 s of each compilation. The first target of the kind reads them, and `ARGN` besides.
-# Not without JALON_UNITY, where each file proves that it includes what it uses; and GCC alone takes what was read with
-# other macros on the command line.
-function(jalon_headers_read_once target kind)
-  if(NOT JALON_UNITY OR NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU" OR CMAKE_HOST_WIN32
-     OR CMAKE_CROSSCOMPILING)
-    return()
-  endif()
-  get_property(owner GLOBAL PROPERTY jalon_headers_of_${kind})
-  if(owner)
-    target_precompile_headers(${target} REUSE_FROM ${owner})
-    return()
-  endif()
-  set_property(GLOBAL PROPERTY jalon_headers_of_${kind} ${target})
-  target_precompile_headers(${target} PRIVATE <algorithm> <array> <bit> <charconv> <cmath> <cstdint> <cstring> <functional>
-                            <limits> <map> <memory> <numbers> <numeric> <optional> <set> <span> <string> <string_view>
-                            <tuple> <unordered_map> <utility> <vector> ${ARGN})
-endfunction()
