@@ -9,25 +9,16 @@ A row: the true classes, comma-separated where a label does not tell several apa
 logistic regression with a Gaussian prior (Bishop 2006, 4.3.4 and 5.5), whose width is that of the least loss over five
 parts of the rows, each told by what was fitted to the other four; rows stay in the order of their seeds, so that the
 parts share no facade but one. A row with several classes counts for what they have together.
-
-    python3 tests/accuracy/fit_classes.py --from old/class_weights.h rows.txt > src/modelling/facade/class_weights.h
-
-Rows of kinds not had before amend the weights of an earlier fit, which are the mean of the prior then; features that it
-lacks begin at 0, with a wide prior. So what these rows show nothing of (glass of real shop fronts) is told as before.
 """
 
-import re
 import sys
 
 import numpy as np
 
 CLASSES = ["opening", "window", "door", "gateway", "shop_front", "vent", "recess"]
 PRIORS = [0.001, 0.002, 0.003, 0.005]  # of the squared weights of standardised features, a row
-AMENDING, NEW = 0.03, 0.0005  # the same about the weights of an earlier fit, and of features that it lacks
 PARTS = 5
 STEPS = 600
-# Of a feature, that of a flag which is set in half of the rows: what hardly differs in these must not decide where it does.
-LEAST_WIDTH = 0.5
 
 
 def read(paths):
@@ -50,60 +41,47 @@ def loss_of(weights, x, allowed):
     return -np.mean(np.log(np.maximum(1e-12, (probabilities(weights, x) * allowed).sum(axis=1))))
 
 
-def fitted(x, allowed, prior, mean):
+def fitted(x, allowed, prior):
     """Accelerated gradient descent (Nesterov 1983); the step by the largest curvature of a softmax."""
-    weights = mean.copy()
+    weights = np.zeros((len(CLASSES), x.shape[1]))
     ahead = weights
-    step = 1 / (0.5 * np.linalg.norm(x.T @ x / len(x), 2) + prior.max())
+    kept = np.ones_like(weights)
+    kept[:, 0] = 0  # the first feature is 1: no prior on it
+    step = 1 / (0.5 * np.linalg.norm(x.T @ x / len(x), 2) + prior)
     for k in range(STEPS):
         p = probabilities(ahead, x)
         target = p * allowed
         target /= np.maximum(1e-12, target.sum(axis=1, keepdims=True))
-        gradient = (p - target).T @ x / len(x) + prior * (ahead - mean)
+        gradient = (p - target).T @ x / len(x) + prior * kept * ahead
         new = ahead - step * gradient
         ahead = new + k / (k + 3) * (new - weights)
         weights = new
     return weights
 
 
-def written(path):
-    rows = re.findall(r"\{  // \w+\n(.*?)\},", open(path, encoding="utf-8").read(), re.S)
-    return np.array([[float(w) for w in row.replace("\n", " ").split(",") if w.strip()] for row in rows])
-
-
 def main():
-    earlier = written(sys.argv[2]) if sys.argv[1] == "--from" else None
-    x, allowed = read(sys.argv[1:] if earlier is None else sys.argv[3:])
+    x, allowed = read(sys.argv[1:])
     mean, width = x.mean(axis=0), x.std(axis=0)
-    width = np.maximum(width, LEAST_WIDTH)
     mean[0], width[0] = 0, 1
+    width[width < 1e-6] = 1
     z = (x - mean) / width
-    start = np.zeros((len(CLASSES), x.shape[1]))
-    priors = [np.full(x.shape[1], prior) for prior in PRIORS]
-    if earlier is not None:
-        had = earlier.shape[1]
-        start[:, :had] = earlier * width[:had]
-        start[:, 0] += earlier[:, 1:] @ mean[1:had]
-        priors = [np.where(np.arange(x.shape[1]) < had, AMENDING, NEW)]
-    for prior in priors:
-        prior[0] = 0  # the first feature is 1: no prior on it
     part = np.arange(len(z)) * PARTS // len(z)
     best = None
-    for prior in priors:
+    for prior in PRIORS:
         told = np.zeros_like(allowed)
         for k in range(PARTS):
-            told[part == k] = probabilities(fitted(z[part != k], allowed[part != k], prior, start), z[part == k])
+            told[part == k] = probabilities(fitted(z[part != k], allowed[part != k], prior), z[part == k])
         loss = -np.mean(np.log(np.maximum(1e-12, (told * allowed).sum(axis=1))))
         likeliest = told.argmax(axis=1)
         right = allowed[np.arange(len(z)), likeliest] > 0
-        print(f"prior {prior[1]}: loss {loss:.4f}, likeliest right {right.mean():.4f}", file=sys.stderr)
+        print(f"prior {prior}: loss {loss:.4f}, likeliest right {right.mean():.4f}", file=sys.stderr)
         for limit in (0.5, 0.6, 0.7, 0.8, 0.9):
             sure = (told.max(axis=1) >= limit) & (likeliest > 0)
             print(f"  limit {limit}: {sure.mean():.3f} have a class, {right[sure].mean():.4f} of them right",
                   file=sys.stderr)
         if best is None or loss < best[0]:
             best = (loss, prior)
-    weights = fitted(z, allowed, best[1], start)
+    weights = fitted(z, allowed, best[1])
     weights -= weights.mean(axis=0)  # the same probabilities, the smallest numbers
     weights = weights / width
     weights[:, 0] -= weights[:, 1:] @ mean[1:]

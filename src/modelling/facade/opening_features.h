@@ -41,8 +41,6 @@ enum class OpeningFeature : uint8_t {
   kGroundSameRow,
   kGroundDepth,
   kSmallShallow,  ///< kShallow of those below half a square metre
-  kBelowRow,  ///< metres that its foot lies below that of those beside it, at most 1.5 either way
-  kOverDoor,  ///< 1 right over one of its size on the ground: loading doors of a hoist
   kCount
 };
 inline constexpr size_t kOpeningFeatures = static_cast<size_t>(OpeningFeature::kCount);

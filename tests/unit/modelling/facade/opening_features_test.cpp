@@ -49,25 +49,3 @@ TEST_CASE("opening_features__are_sizes_heights_over_the_ground_depths_and_neighb
   const auto behind = opening_features(arcade.plan, arcade.plan.facades[0]);
   CHECK(of(behind[0][7], OpeningFeature::kSetBack) == doctest::Approx(0.5));
 }
-
-TEST_CASE("opening_features__say_what_stands_over_a_door_and_how_far_below_its_row") {
-  PlannedScene scene;
-  // A warehouse: a gateway, a loading door of its size over it, windows beside that, one elsewhere over nothing.
-  std::vector<FacadeOpening> openings;
-  for (const auto& [low, high] : {std::pair{Vec2{5, 0}, Vec2{7.4, 2.2}},
-                                  {{5, 3}, {7.4, 5.2}},
-                                  {{1, 3.8}, {2.2, 5.2}},
-                                  {{9, 3.8}, {10.2, 5.2}},
-                                  {{2.5, 6}, {4.9, 8.2}}})
-    openings.push_back(filled(low, high, 0.2, kLeaf));
-  scene.add_wall({0, 0}, {12, 9}, openings);
-  const auto rows = opening_features(scene.plan, scene.plan.facades[0])[0];
-  REQUIRE(rows.size() == 5);
-  CHECK(of(rows[0], OpeningFeature::kOverDoor) < 0.01);
-  CHECK(of(rows[1], OpeningFeature::kOverDoor) > 0.9);
-  CHECK(of(rows[2], OpeningFeature::kOverDoor) < 0.01);
-  CHECK(of(rows[4], OpeningFeature::kOverDoor) < 0.01);
-  CHECK(of(rows[1], OpeningFeature::kBelowRow) == doctest::Approx(0.8));
-  CHECK(of(rows[2], OpeningFeature::kBelowRow) == doctest::Approx(0).scale(1));
-  CHECK(of(rows[4], OpeningFeature::kBelowRow) == 0);
-}
