@@ -79,6 +79,12 @@ class Clouds(unittest.TestCase):
         for i in range(200):
             self.assertTrue(np.array_equal(near.neighbours["index"][first[i]:first[i + 1]], np.flatnonzero(distances[:, i] <= 0.9)))
 
+    def python__an_index_that_was_dropped_is_built_again(self):
+        before = self.cloud.knn_all(4)
+        self.cloud.drop_index()
+        self.cloud.drop_index()
+        self.assertTrue(np.array_equal(self.cloud.knn_all(4).indices, before.indices))
+
     def python__cells_of_the_octree_hold_all_points(self):
         self.cloud.prepare()
         cube = self.cloud.octree_cube()
