@@ -225,7 +225,9 @@ void Input::add_points_to(Command& command, const std::string& prefix) {
       .type_name("N");
   command
       .option("--" + prefix + "fields", fields,
-              "Fields to read, e.g. \"intensity classification\"; - reads none")
+              "Fields to read, e.g. \"intensity classification\"; one with ? behind it may be "
+              "missing; - "
+              "reads none")
       .type_name("NAMES");
 }
 

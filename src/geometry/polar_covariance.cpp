@@ -4,19 +4,6 @@
 
 namespace jalon {
 
-namespace {
-
-void add_square(Symmetric3& c, const Vec3& v, double scale) {
-  c[0] += scale * v.x * v.x;
-  c[1] += scale * v.x * v.y;
-  c[2] += scale * v.x * v.z;
-  c[3] += scale * v.y * v.y;
-  c[4] += scale * v.y * v.z;
-  c[5] += scale * v.z * v.z;
-}
-
-}  // namespace
-
 // The columns of J: along the ray; sideways, d cos v long; upward across the ray, d long. They stay defined overhead.
 Symmetric3 polar_covariance(const Vec3& ray, const Vec3& up, const PolarSigmas& sigmas) {
   const double d = norm(ray), height = dot(ray, up);

@@ -7,6 +7,16 @@
 
 namespace jalon {
 
+/// C += scale v v^T.
+inline void add_square(Symmetric3& c, const Vec3& v, double scale) {
+  c[0] += scale * v.x * v.x;
+  c[1] += scale * v.x * v.y;
+  c[2] += scale * v.x * v.z;
+  c[3] += scale * v.y * v.y;
+  c[4] += scale * v.y * v.z;
+  c[5] += scale * v.z * v.z;
+}
+
 /// What moves a scanned point across and along its ray, uncorrelated (Boulaassal 2010, 5.3.3).
 struct PolarSigmas {
   double range_m = 0;

@@ -2,22 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/trajectory/laser_beam.h"
 
+#include "geometry/polar_covariance.h"
+
 namespace jalon {
 
 namespace {
 
 Symmetric3 propagated(const std::array<Vec3, kLaserInputs>& J, const LaserSigmas& sigmas) {
   Symmetric3 c{};
-  for (size_t k = 0; k < kLaserInputs; ++k) {
-    const double variance = sigmas[k] * sigmas[k];
-    const Vec3& j = J[k];
-    c[0] += variance * j.x * j.x;
-    c[1] += variance * j.x * j.y;
-    c[2] += variance * j.x * j.z;
-    c[3] += variance * j.y * j.y;
-    c[4] += variance * j.y * j.z;
-    c[5] += variance * j.z * j.z;
-  }
+  for (size_t k = 0; k < kLaserInputs; ++k) add_square(c, J[k], sigmas[k] * sigmas[k]);
   return c;
 }
 

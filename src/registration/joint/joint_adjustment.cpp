@@ -15,10 +15,10 @@
 #include "registration/joint/beam_fields.h"
 #include "registration/joint/block_search.h"
 #include "registration/joint/control_points.h"
-#include "registration/solvers/set_back.h"
 #include "registration/joint/strip_conditions.h"
 #include "registration/joint/strip_search.h"
 #include "registration/joint/strip_weights.h"
+#include "registration/solvers/set_back.h"
 
 namespace jalon {
 

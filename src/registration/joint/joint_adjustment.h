@@ -9,9 +9,9 @@
 #include "base/field.h"
 #include "model/trajectory/corrections.h"
 #include "registration/ground/height_chain.h"
-#include "registration/solvers/joint_problem.h"
 #include "registration/joint/joint_settings.h"
 #include "registration/joint/ray_matching.h"
+#include "registration/solvers/joint_problem.h"
 
 namespace jalon {
 

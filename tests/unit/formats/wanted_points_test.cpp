@@ -49,6 +49,18 @@ std::string name_of(const std::string& extension) {
   return extension == "ept.json" ? extension : "a." + extension;
 }
 
+/// test(path) of the cloud in a file of each format that has fields.
+template <class Test>
+void in_every_format(const Cloud& cloud, Test&& test) {
+  for (const std::string& extension : formats_with_fields()) {
+    CAPTURE(extension);
+    const Folder folder;
+    const std::string path = folder.file(name_of(extension));
+    write(cloud, path);
+    test(path);
+  }
+}
+
 ReadSettings with_fields(const char* fields) {
   ReadSettings settings;
   settings.fields = fields;
@@ -59,11 +71,7 @@ ReadSettings with_fields(const char* fields) {
 
 TEST_CASE("wanted_points__max_points_keeps_so_many_evenly_and_in_their_order_in_every_format") {
   const Cloud cloud = numbered(997);
-  for (const std::string& extension : formats_with_fields()) {
-    CAPTURE(extension);
-    const Folder folder;
-    const std::string path = folder.file(name_of(extension));
-    write(cloud, path);
+  in_every_format(cloud, [&](const std::string& path) {
     const std::vector<double> all = numbers_of(read(path));
     for (const int64_t most : {1, 2, 100, 499, 996, 997, 5000}) {
       CAPTURE(most);
@@ -84,16 +92,12 @@ TEST_CASE("wanted_points__max_points_keeps_so_many_evenly_and_in_their_order_in_
         CHECK(step <= 997 / most + 1);
       }
     }
-  }
+  });
 }
 
 TEST_CASE("wanted_points__fields_are_those_named_in_their_order_and_one_that_lacks_is_an_error") {
   const Cloud cloud = numbered(50);
-  for (const std::string& extension : formats_with_fields()) {
-    CAPTURE(extension);
-    const Folder folder;
-    const std::string path = folder.file(name_of(extension));
-    write(cloud, path);
+  in_every_format(cloud, [&](const std::string& path) {
     const Cloud whole = read(path), one = read(path, with_fields("number"));
     REQUIRE(one.fields.size() == 1);
     CHECK(numbers_of(one) == numbers_of(whole));
@@ -107,23 +111,19 @@ TEST_CASE("wanted_points__fields_are_those_named_in_their_order_and_one_that_lac
     CHECK_MESSAGE(has_text(failure.text, path + ": no field \"colour\"; there are: "),
                   failure.text);
     CHECK_MESSAGE(has_text(failure.text, "number"), failure.text);
-  }
+  });
 }
 
 TEST_CASE("wanted_points__a_field_with_a_question_mark_may_be_missing") {
   const Cloud cloud = numbered(50);
-  for (const std::string& extension : formats_with_fields()) {
-    CAPTURE(extension);
-    const Folder folder;
-    const std::string path = folder.file(name_of(extension));
-    write(cloud, path);
+  in_every_format(cloud, [&](const std::string& path) {
     const Cloud one = read(path, with_fields("red? number? green?"));
     REQUIRE(one.fields.size() == 1);
     CHECK(numbers_of(one) == numbers_of(read(path)));
     CHECK(read(path, with_fields("red?")).fields.size() == 0);
     CHECK(failure_of([&] { read(path, with_fields("number? red")); }).status == Status::kNotFound);
     CHECK(failure_of([&] { read(path, with_fields("?")); }).status == Status::kNotFound);
-  }
+  });
 }
 
 TEST_CASE("wanted_points__of_one_station_are_its_points_with_its_pose") {
