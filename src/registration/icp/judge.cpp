@@ -5,6 +5,7 @@
 #include "base/numbers.h"
 #include "base/table_columns.h"
 #include "registration/registration_tables.h"
+#include "registration/surface/steady_planes.h"
 #include "registration/verdict/verdict.h"
 
 namespace jalon {
@@ -36,10 +37,22 @@ void add_evidence(const PoseEvidence& evidence, FieldTable& summary) {
 }  // namespace
 
 IcpJudged icp_judged(const Cloud& reference, const Cloud& moving, const IcpProblem& problem,
-                     Task& task) {
+                     double misfit_m, Task& task) {
   const IcpClouds& clouds = problem.clouds;
-  return {judged_cloud(reference, clouds.reference, problem.thinned_reference.index, task),
-          judged_cloud(moving, clouds.moving, problem.thinned_moving.index, task)};
+  IcpJudged out;
+  const SurfacePlanes *of_reference = &clouds.reference, *of_moving = &clouds.moving;
+  if (problem.is_of_lines) {
+    const auto steady = [&](const SurfacePlanes& surface) {
+      return std::make_unique<const SurfacePlanes>(
+          steady_planes(surface, problem.settings.k, task));
+    };
+    out.steady_reference = steady(clouds.reference), out.steady_moving = steady(clouds.moving);
+    of_reference = out.steady_reference.get(), of_moving = out.steady_moving.get();
+  }
+  out.reference = judged_cloud(reference, *of_reference, problem.thinned_reference.index, task);
+  out.moving = judged_cloud(moving, *of_moving, problem.thinned_moving.index, task);
+  out.reference.misfit_m = out.moving.misfit_m = misfit_m;
+  return out;
 }
 
 void icp_judge(const IcpJudged& judged, const IcpState& state, double better_m, Registration& out,

@@ -10,12 +10,14 @@ namespace jalon {
 
 /// Both clouds as the verdict looks at them. The problem outlives it.
 struct IcpJudged {
+  std::unique_ptr<const SurfacePlanes> steady_reference,
+      steady_moving;  ///< of points in lines: what they are judged by
   JudgedCloud reference, moving;
 };
 
-/// O(points), to find where the clouds were taken from.
+/// misfit_m: of the residuals at the pose. O(points), to find where the clouds were taken from.
 IcpJudged icp_judged(const Cloud& reference, const Cloud& moving, const IcpProblem& problem,
-                     Task& task);
+                     double misfit_m, Task& task);
 
 /// Judges the pose that the steps ended with, and adds what was found to the result. better_m: PoseEvidence.
 void icp_judge(const IcpJudged& judged, const IcpState& state, double better_m, Registration& out,

@@ -3,91 +3,131 @@
 #include "registration/icp/thinning.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "cloud/subsample_cells.h"
-#include "geometry/plane.h"
+#include "registration/surface/spread.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr size_t kSample =
-    1000;  // neighbourhoods looked at: a median of so many is sure to a few per cent
-// Sides of the neighbourhoods, the shorter over the longer: of points spread evenly about 0.75, of a grid that is three
-// times as dense one way 0.4, of a line the noise.
-constexpr double kLeastSides = 0.25;
+// From this share of points in lines on a cloud is thinned. Scanners on tripods have at most 0.06, of the ground far
+// off; single turns of 32 and 64 beams 0.2 to 1, but in rooms of a few metres.
+constexpr double kMostInLines = 0.12;
+// Share of the points that are marks of no return, all in one place; one of them is left.
+constexpr double kMostInOnePlace = 0.01;
+constexpr double kOnePlace =
+    1.0 / 16;  // edge of the cubes for these, of the extent of neighbours: they thin little
+// Noise of a plane, of the extent of its points: from here on it turns the plane by 6 degrees and more.
+constexpr double kMostPlaneNoise = 0.4;
+constexpr double kCubeNoises = 2;  // edge of cubes whose neighbours span a plane in spite of it
 constexpr double kWiden = std::numbers::sqrt2;
-constexpr int kMostWidenings = 12;
+constexpr int kMostWidenings = 7;
 constexpr size_t kLeastLeft = 1000;  // points that thinning must leave
+constexpr size_t kTimesNeighbours =
+    4;  // cubes: with fewer the neighbours of one are most of the scene
 
-struct Neighbourhoods {
-  double sides = 1;     ///< median ratio of the middle extent to the largest
-  double length_m = 0;  ///< median of the largest
-};
-
-Neighbourhoods neighbourhoods_of(const Cloud& cloud, uint32_t k, Task& task) {
-  const auto tree = cloud.octree(task);
-  std::vector<double> sides, lengths;
-  std::vector<Neighbour> found(k);
-  for (size_t i = 0; i < cloud.size(); i += cloud.size() / kSample + 1) {
-    const Vec3 at = cloud.point(i);
-    const size_t n = tree->knn(at, k, found);
-    Moments moments;
-    moments.reference = at;
-    for (size_t j = 0; j < n; ++j) moments.add(cloud.point(found[j].index));
-    const Eigen3 e = symmetric_eigen(moments.covariance());
-    if (!(e.values[2] > 0)) continue;
-    sides.push_back(std::sqrt(std::max(0.0, e.values[1]) / e.values[2]));
-    lengths.push_back(std::sqrt(e.values[2]));
-  }
-  if (sides.empty()) return {};
-  const auto median = [](std::vector<double>& v) {
-    const auto middle = v.begin() + static_cast<ptrdiff_t>(v.size() / 2);
-    std::nth_element(v.begin(), middle, v.end());
-    return *middle;
-  };
-  return {median(sides), median(lengths)};
+bool is_crowded(const PointSpread& spread) {
+  return spread.noise_m > kMostPlaneNoise * spread.radius_m;
 }
 
-double cell_of(const Cloud& cloud, uint32_t k, Task& task) {
-  const Neighbourhoods all = neighbourhoods_of(cloud, k, task);
-  if (all.sides >= kLeastSides) return 0;
-  double cell_m = all.length_m;
-  for (int i = 0; i < kMostWidenings; ++i, cell_m *= kWiden) {
-    const Cloud thinned = one_per_voxel(cloud, cell_m, Keep::kCentroid, task);
-    if (thinned.size() < kLeastLeft) return cell_m / kWiden;
-    if (neighbourhoods_of(thinned, k, task).sides >= kLeastSides) return cell_m;
+// Wide enough for the noise: of fewer and fewer cubes, whose means have less of it.
+double wide_enough_m(const Cloud& cloud, double edge_m, uint32_t k, Task& task) {
+  for (int i = 0; i < kMostWidenings; ++i) {
+    const Cloud cubes = one_per_voxel(cloud, edge_m, Keep::kCentroid, task);
+    if (cubes.size() < kLeastLeft) break;
+    const PointSpread spread = spread_of(*cubes.octree(task), k, task);
+    if (!is_crowded(spread)) break;
+    edge_m = std::max(kWiden * edge_m, kCubeNoises * spread.noise_m);
   }
-  return cell_m;
+  return edge_m;
+}
+
+ThinningCells cells_of(const Cloud& cloud, uint32_t k, Task& task) {
+  const PointSpread spread = spread_of(*cloud.octree(task), k, task);
+  ThinningCells out;
+  out.do_widen = spread.in_lines > kMostInLines;
+  if (out.do_widen) out.edge_m = spread.length_m;
+  if (out.do_widen || is_crowded(spread))
+    out.edge_m = wide_enough_m(cloud, std::max(out.edge_m, kCubeNoises * spread.noise_m), k, task);
+  if (spread.in_one_place > kMostInOnePlace)
+    out.edge_m = std::max(out.edge_m, kOnePlace * spread.length_m);
+  return out;
+}
+
+// The points alone, with their index as a field that thinning carries along.
+Cloud numbered(const Cloud& raw) {
+  Cloud out;
+  out.xyz_buffer = raw.xyz_buffer;
+  out.index = raw.index;
+  std::vector<uint32_t> index(raw.size());
+  std::iota(index.begin(), index.end(), 0u);
+  out.fields.set(make_column<uint32_t>({.name = "index"}, index));
+  return out;
+}
+
+std::span<const uint32_t> indices_of(const Cloud& thinned) {
+  return thinned.fields.require("index").values<uint32_t>();
+}
+
+ThinnedCloud as_thinned(const Cloud& centroids) {
+  const auto kept = indices_of(centroids);
+  return {std::make_shared<const Cloud>(centroids), {kept.begin(), kept.end()}};
+}
+
+// Each place by the narrowest cubes there whose neighbours are spread over a surface.
+ThinnedCloud widened(Cloud cubes, double edge_m, uint32_t k, size_t raw_size, Task& task) {
+  struct Kept {
+    uint32_t raw;
+    Vec3 place;
+  };
+  std::vector<Kept> kept;
+  std::vector<bool> is_kept(raw_size);
+  const Cloud first = cubes;
+  for (int widening = 0; widening <= kMostWidenings; ++widening) {
+    const auto tree = cubes.octree(task);
+    const std::vector<bool> in_lines = points_in_lines(*tree, k, task);
+    const auto index = indices_of(cubes);
+    for (size_t position = 0; position < tree->size(); ++position) {
+      const uint32_t i = tree->order()[position];
+      if (in_lines[position] || is_kept[index[i]]) continue;
+      is_kept[index[i]] = true;
+      kept.push_back({index[i], cubes.point(i)});
+    }
+    edge_m *= 2;
+    Cloud wider = one_per_voxel(cubes, edge_m, Keep::kCentroid, task);
+    if (wider.size() < kTimesNeighbours * k) break;
+    cubes = std::move(wider);
+  }
+  if (kept.size() < kLeastLeft) return as_thinned(first);
+  std::sort(kept.begin(), kept.end(), [](const Kept& a, const Kept& b) { return a.raw < b.raw; });
+  ThinnedCloud out;
+  Buffer<double> xyz(3 * kept.size());
+  for (size_t i = 0; i < kept.size(); ++i) {
+    out.index.push_back(kept[i].raw);
+    for (int c = 0; c < 3; ++c) xyz[3 * i + static_cast<size_t>(c)] = kept[i].place[c];
+  }
+  out.cloud = std::make_shared<const Cloud>(make_cloud(std::move(xyz)));
+  return out;
 }
 
 }  // namespace
 
-double thinning_cell_m(const Cloud& reference, const Cloud& moving, const IcpSettings& settings,
-                       Task& task) {
-  if (settings.cell_m > 0) return settings.cell_m;
-  if (settings.metric == IcpMetric::kPointToPoint) return 0;
-  return std::max(cell_of(reference, settings.k, task), cell_of(moving, settings.k, task));
+ThinningCells thinning_cells(const Cloud& reference, const Cloud& moving,
+                             const IcpSettings& settings, Task& task) {
+  if (settings.cell_m > 0) return {settings.cell_m, false};
+  if (settings.metric == IcpMetric::kPointToPoint) return {};
+  const ThinningCells a = cells_of(reference, settings.k, task),
+                      b = cells_of(moving, settings.k, task);
+  return {std::max(a.edge_m, b.edge_m), a.do_widen || b.do_widen};
 }
 
-ThinnedCloud thinned(const CloudPtr& raw, double cell_m, Task& task) {
-  if (!(cell_m > 0)) return {raw, {}};
-  // The points alone, with their index as a field that thinning carries along.
-  Cloud numbered;
-  numbered.xyz_buffer = raw->xyz_buffer;
-  numbered.index = raw->index;
-  std::vector<uint32_t> index(raw->size());
-  std::iota(index.begin(), index.end(), 0u);
-  numbered.fields.set(make_column<uint32_t>({.name = "index"}, index));
-  const Cloud centroids = one_per_voxel(numbered, cell_m, Keep::kCentroid, task);
-  const auto kept = centroids.fields.require("index").values<uint32_t>();
-  ThinnedCloud out;
-  out.index.assign(kept.begin(), kept.end());
-  out.cloud = std::make_shared<const Cloud>(centroids);
-  return out;
+ThinnedCloud thinned(const CloudPtr& raw, const ThinningCells& cells, uint32_t k, Task& task) {
+  if (!(cells.edge_m > 0)) return {raw, {}};
+  const Cloud cubes = one_per_voxel(numbered(*raw), cells.edge_m, Keep::kCentroid, task);
+  return cells.do_widen ? widened(cubes, cells.edge_m, k, raw->size(), task) : as_thinned(cubes);
 }
 
 }  // namespace jalon

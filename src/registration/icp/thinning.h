@@ -17,13 +17,19 @@ struct ThinnedCloud {
   uint32_t raw(uint32_t i) const { return index.empty() ? i : index[i]; }
 };
 
-/// Edge of the cubes that both clouds should be thinned to, 0 for none. A spinning scanner measures
-/// in lines that are far apart: the nearest points of each point lie on its own line and span no
-/// plane. Cubes about as wide as the lines are apart make neighbours of several lines.
-double thinning_cell_m(const Cloud& reference, const Cloud& moving, const IcpSettings& settings,
-                       Task& task);
-/// The cubes' centroids, each with the index of a raw point of its cube. cell_m of 0: the raw cloud
-/// itself, not copied.
-ThinnedCloud thinned(const CloudPtr& raw, double cell_m, Task& task);
+/// Cubes that clouds are thinned to. A spinning scanner measures in lines that are far apart, the farther the farther
+/// off it was: the nearest points of each point lie on its own line and span no plane, or with their noise that of the
+/// beam. Points nearer to each other than their noise span that of the noise.
+struct ThinningCells {
+  double edge_m = 0;      ///< 0: as they are
+  bool do_widen = false;  ///< twice as wide, and again, where the points lie in lines still
+};
+
+/// What both clouds should be thinned to. O(log n).
+ThinningCells thinning_cells(const Cloud& reference, const Cloud& moving,
+                             const IcpSettings& settings, Task& task);
+/// The cubes' centroids, each with the index of a raw point of its cube, ascending. Of cubes that widen those alone
+/// whose neighbours are spread over a surface. Of no cubes the raw cloud itself, not copied. O(n).
+ThinnedCloud thinned(const CloudPtr& raw, const ThinningCells& cells, uint32_t k, Task& task);
 
 }  // namespace jalon

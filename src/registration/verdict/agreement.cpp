@@ -18,8 +18,10 @@ constexpr double kNear = 4;          // reaches: as far as a surface is followed
 constexpr double kBeside = 1.5;      // reaches sideways that a plane still holds for
 constexpr double kLevel = 0.5;   // reaches of height at which it may just go on beside its points
 constexpr double kFacing = 0.8;  // cosine of faces that are one
-constexpr double kHeightNoises = 4;  // of both clouds, that a surfel may be above a surface
-constexpr double kUneven = 0.05;     // reaches, for surfaces that bend between the points
+constexpr double kHeightNoises = 4;   // of both clouds, that a surfel may be above a surface
+constexpr double kMisfits = 2;        // of the clouds at the pose: 19 of 20 residuals are within
+constexpr double kMostMisfit = 0.25;  // reaches: a wrong pose does not excuse itself
+constexpr double kUneven = 0.05;      // reaches, for surfaces that bend between the points
 constexpr double kPiercedIncidence =
     0.25;  // cosine: flatter views may miss a narrow face, and see past it
 constexpr double kLeastIncidence = 0.1;   // cosine: flatter views measure little
@@ -45,7 +47,9 @@ class Holding {
         with_(with),
         T_with_of_(T_with_of),
         reach_m_(reach_of(of, with)),
-        noise_m_(std::hypot(of.surface->noise_m, with.surface->noise_m)) {}
+        noise_m_(std::hypot(of.surface->noise_m, with.surface->noise_m)),
+        height_m_(std::max(kHeightNoises * noise_m_,
+                           kMisfits * std::min(of.misfit_m, kMostMisfit * reach_m_))) {}
 
   Answer ask(const Surfel& surfel) const {
     const Vec3 place = T_with_of_.point(surfel.place), normal = T_with_of_.direction(surfel.normal);
@@ -119,7 +123,7 @@ class Holding {
       if (sideways > kBeside * local_m) {
         is_beside = is_beside || is_level;
       } else if (std::abs(dot(unit, normal)) >= kFacing &&
-                 std::abs(height) <= kHeightNoises * noise_m_ + kUneven * local_m) {
+                 std::abs(height) <= height_m_ + kUneven * local_m) {
         return Said::kExplained;
       }
     }
@@ -135,6 +139,7 @@ class Holding {
   const JudgedCloud& with_;
   const Transform& T_with_of_;
   double reach_m_, noise_m_;
+  double height_m_;  ///< that a surfel may be above a flat surface
 };
 
 bool is_against(Said said) { return said == Said::kUnexplained || said == Said::kPierced; }

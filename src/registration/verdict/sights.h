@@ -16,6 +16,9 @@ struct JudgedCloud {
   const SurfacePlanes* surface = nullptr;
   std::vector<Surfel> surfels;
   std::vector<SightMap> sights;  ///< empty: nobody knows where the cloud was taken from
+  /// Of the residuals at the pose, robust: what the two clouds differ by beyond the noise of either, as of beams that
+  /// are not quite in line, or of a scanner that moved.
+  double misfit_m = 0;
   bool are_told = false;  ///< the stations by the cloud; found ones may lie behind what they saw
 };
 

@@ -21,7 +21,7 @@ size_t open_directions(const IcpState& state) {
 double confirmed(const IcpProblem& problem, IcpState& state) {
   Task task;
   const IcpJudged judged =
-      icp_judged(*problem.thinned_reference.cloud, *problem.thinned_moving.cloud, problem, task);
+      icp_judged(*problem.thinned_reference.cloud, *problem.thinned_moving.cloud, problem, 0, task);
   return icp_confirm(problem, judged, {}, state, task);
 }
 
