@@ -131,7 +131,9 @@ void report(const char* name, const StreetTally& tally) {
 TEST_CASE("street__each_change_that_was_seen_is_found_once_with_its_class_by_default") {
   StreetTally tally;
   const double step_rad = is_full() ? 0.003 : 0.005;
-  for (uint64_t seed = 501; seed <= (is_full() ? 520u : 501u); ++seed) {
+  const SeedRange seeds =
+      seeds_asked_for("JALON_CHANGE_SEEDS").value_or(SeedRange{501, is_full() ? 520u : 501u});
+  for (uint64_t seed = seeds.first; seed <= seeds.last; ++seed) {
     const CloudPtr before = scanned_street(1, step_rad, 2 * seed),
                    after = scanned_street(2, step_rad, 2 * seed + 1);
     const Comparison forward = detected(before, after), reverse = detected(after, before);

@@ -3,6 +3,7 @@
 #include "compare/changes/change_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
@@ -27,6 +28,7 @@ constexpr double kOffPlane = 4;       // thicknesses
 constexpr double kBesideCells = 3, kBesideSize = 0.15;  // gap of pieces of one thing
 constexpr double kStepOff =
     1.5;  // of the way that a surface moved: from its rim before to that after
+constexpr double kSwept = 0.5;  // of a piece's points: it is a part of what swept them
 constexpr double kGapOfSize =
     1;  // of the larger piece: what stands before a surface hides less of it
 
@@ -98,12 +100,55 @@ bool is_moved_to(const ChangePiece& a, const ChangePiece& b, double cell_m) {
   return box_gap(a.box, b.box) <= reach && gap_of(a, b) <= reach;
 }
 
+// How many of a piece's points lie where a surface of the other epoch went on its way: within that way of it.
+double swept_share(const ChangePiece& piece, const Vec3& origin, const ChangePiece& moved,
+                   const Epoch& in, Task& task) {
+  const double way = kStepOff * std::abs(moved.offset_m);
+  if (box_gap(piece.box, moved.box) > way) return 0;
+  const auto tree = in.cloud().octree(task);
+  std::vector<Neighbour> near;
+  size_t swept = 0;
+  for (const Vec3& p : piece.sample) {
+    tree->radius(p + origin, way, near);
+    swept += std::any_of(near.begin(), near.end(), [&](const Neighbour& n) {
+      return in.regions.labels[n.index] == moved.label;
+    });
+  }
+  return static_cast<double>(swept) / static_cast<double>(piece.sample.size());
+}
+
 // How many of a piece's points have their nearest in which region of the other epoch.
 std::map<uint32_t, size_t> votes_of(const Epoch& epoch, const Epoch& other, uint32_t label) {
   std::map<uint32_t, size_t> out;
   for (const uint32_t i : epoch.regions.regions[label - 1].indices)
     if (const uint32_t j = epoch.nearest(i); j != kNoPoint && other.regions.labels[j] > 0)
       ++out[other.regions.labels[j]];
+  return out;
+}
+
+// Pieces of a surface that moved, of groups that one epoch alone has, each with the piece of the other epoch that swept
+// most of it.
+std::vector<std::pair<size_t, size_t>> pieces_swept(const Epoch& before, const Epoch& after,
+                                                    const std::vector<ChangePiece>& pieces,
+                                                    UnionFind& sets, Task& task) {
+  std::map<uint32_t, std::array<bool, 2>> has;  // of a group: before, after
+  for (size_t k = 0; k < pieces.size(); ++k)
+    has[sets.find(static_cast<uint32_t>(k))][pieces[k].is_after ? 1 : 0] = true;
+  std::vector<std::pair<size_t, size_t>> out;
+  for (size_t a = 0; a < pieces.size(); ++a) {
+    const ChangePiece& piece = pieces[a];
+    const auto& epochs = has[sets.find(static_cast<uint32_t>(a))];
+    if (piece.moved_share < kMovedPiece || (epochs[0] && epochs[1])) continue;
+    double most = kSwept;
+    size_t of = a;
+    for (size_t b = 0; b < pieces.size(); ++b) {
+      if (pieces[b].is_after == piece.is_after || pieces[b].moved_share < kMovedPiece) continue;
+      const double share =
+          swept_share(piece, before.origin, pieces[b], piece.is_after ? before : after, task);
+      if (share > most) most = share, of = b;
+    }
+    if (of != a) out.emplace_back(a, of);
+  }
   return out;
 }
 
@@ -156,6 +201,8 @@ std::vector<std::vector<size_t>> group_pieces(const Epoch& before, const Epoch& 
   for (const Epoch* epoch : {&after, &before})
     for (const auto& [a, b] : parts_of_one_surface(*epoch, task))
       epoch == &after ? join(a - 1, b - 1) : join(first + a - 1, first + b - 1);
+  // 5.
+  for (const auto& [a, b] : pieces_swept(before, after, pieces, sets, task)) join(a, b);
   std::map<uint32_t, std::vector<size_t>> groups;
   std::vector<uint32_t> order;
   for (size_t k = 0; k < pieces.size(); ++k) {

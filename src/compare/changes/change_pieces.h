@@ -30,8 +30,9 @@ std::vector<ChangePiece> change_pieces(const Epoch& before, const Epoch& after, 
 
 /// Pieces of one change: 1. of both epochs, where one's points have their nearest in the other; 2. of one epoch, the
 /// same surface moved by the same way, parted by what stands before it; 3. of one epoch, side by side;
-/// 4. of one epoch, parts of one surface by a station's view. Indices into pieces, ascending; the groups by their first
-/// piece. O(pieces^2 + points).
+/// 4. of one epoch, parts of one surface by a station's view; 5. of a surface that moved, what the other epoch has no
+/// piece for and lies where another moved: the foot of a wall with the ground that it stood on. Indices into pieces,
+/// ascending; the groups by their first piece. O(pieces^2 + points).
 std::vector<std::vector<size_t>> group_pieces(const Epoch& before, const Epoch& after,
                                               const std::vector<ChangePiece>& pieces, double cell_m,
                                               Task& task);

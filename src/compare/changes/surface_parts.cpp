@@ -4,8 +4,10 @@
 
 #include <array>
 #include <bitset>
+#include <cmath>
 #include <map>
 
+#include "base/numbers.h"
 #include "compare/detection/found_stations.h"
 #include "compare/visibility/depth_map.h"
 
@@ -22,8 +24,45 @@ constexpr size_t kLeastLines = 3;
 constexpr double kShape = 1.25;
 constexpr double kAgreed = 0.5;  // of the places where two regions meet
 
+constexpr size_t kLeastFlat = 15;  // points of a region that tells its own plane
+// Deviations from such a plane: 99.7 % of its points are within. Of a surface that only crosses it, this share of
+// those within five times as many.
+constexpr double kOfPlane = 3, kAbout = 5, kByCrossing = 1 / kAbout;
+// Standard deviations of their number by chance; neighbours are not independent.
+constexpr double kSure = 5;
+
+// How far a place lies off the plane of a region that is flat, in standard deviations; NaN: no plane is told there. Of
+// n points that scatter by s about it, with variances l1, l2 along it, the plane has at (u, v) from their mean the
+// variance s^2 (1 + u^2 / l1 + v^2 / l2) / n (Draper and Smith 1998, 1.4). Two rows of different stations that cross
+// tell one, a straight row does not.
+double off_plane(const ChangeRegion& region, const Vec3& place, double noise_m) {
+  const auto& [values, axes] = region.axes;
+  const auto n = static_cast<double>(region.indices.size());
+  if (region.indices.size() < kLeastFlat || values[0] > kShape * kShape * noise_m * noise_m)
+    return kNaN;
+  const Vec3 from = place - region.centroid;
+  const double u = dot(from, axes[1]), v = dot(from, axes[2]);
+  const double of_plane = (1 + u * u / values[1] + v * v / values[2]) / n;
+  if (!(of_plane <= 1)) return kNaN;  // less sure than one of its points
+  return std::abs(dot(from, axes[0])) / std::sqrt(values[0] * (1 + of_plane));
+}
+
 struct Meeting {
   size_t places = 0, agreed = 0;
+  size_t in_plane = 0, about_plane = 0;  ///< of a region that is flat, points of the other
+
+  void add_off(double off) {
+    in_plane += off <= kOfPlane ? 1 : 0;
+    about_plane += off <= kAbout * kOfPlane ? 1 : 0;
+  }
+  bool is_one_plane() const {
+    const auto n = static_cast<double>(about_plane);
+    const double by_chance = std::sqrt(n * kByCrossing * (1 - kByCrossing));
+    return static_cast<double>(in_plane) > n * kByCrossing + kSure * by_chance;
+  }
+  bool is_one_surface() const {
+    return static_cast<double>(agreed) >= kAgreed * static_cast<double>(places) || is_one_plane();
+  }
 };
 
 /// What a station saw of an epoch's changed points.
@@ -52,6 +91,8 @@ class StationView {
       Meeting& meeting = out[std::minmax(label, epoch_.regions.labels[other])];
       ++meeting.places;
       meeting.agreed += are_in_plane({point, other}, place) ? 1 : 0;
+      meeting.add_off(off_plane(region_of(point), cloud_.point(other), noise_m_));
+      meeting.add_off(off_plane(region_of(other), cloud_.point(point), noise_m_));
     }
   }
 
@@ -66,6 +107,10 @@ class StationView {
     const uint32_t point =
         map_.cell(static_cast<uint32_t>(column), static_cast<uint32_t>(row)).point;
     return point != kNoPoint && epoch_.regions.labels[point] != 0 ? point : kNoPoint;
+  }
+
+  const ChangeRegion& region_of(uint32_t point) const {
+    return epoch_.regions.regions[epoch_.regions.labels[point] - 1];
   }
 
   using Two = std::array<uint32_t, 2>;
@@ -115,8 +160,7 @@ std::vector<RegionPair> parts_of_one_surface(const Epoch& epoch, Task& task) {
   }
   std::vector<RegionPair> out;
   for (const auto& [pair, meeting] : meetings)
-    if (static_cast<double>(meeting.agreed) >= kAgreed * static_cast<double>(meeting.places))
-      out.push_back(pair);
+    if (meeting.is_one_surface()) out.push_back(pair);
   return out;
 }
 

@@ -41,6 +41,31 @@ TEST_CASE("change_pieces__group_as_they_belong_and_each_in_one_group") {
   CHECK(large == 2);  // two metres apart: two things
 }
 
+TEST_CASE("change_pieces__what_lies_on_the_way_of_a_surface_that_moved_is_a_part_of_its_change") {
+  const BoxOnFloor foot{{-0.2, 0, 0}, {0.4, 0.2, 0.2}}, wall{{-1, -0.35, 0}, {2, 0.1, 0.25}};
+  const ToldEpochs epochs(floor_with({foot}, 1), floor_with({wall}, 2));
+  Task task;
+  for (const double way_m : {0.01, 0.4}) {
+    std::vector<ChangePiece> pieces = change_pieces(epochs.before, epochs.after, task);
+    for (ChangePiece& piece : pieces) {
+      piece.moved_share = 1;
+      piece.offset_m = piece.is_after ? way_m : 0.0;
+      piece.normal = piece.is_after ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+    }
+    const auto groups = group_pieces(epochs.before, epochs.after, pieces, 0.01, task);
+    const bool is_one = std::any_of(groups.begin(), groups.end(), [&](const auto& group) {
+      const auto points_of = [&](bool is_after) {
+        size_t points = 0;
+        for (const size_t k : group)
+          points += pieces[k].is_after == is_after ? pieces[k].points : 0;
+        return points;
+      };
+      return points_of(false) >= 64 && points_of(true) >= 64;
+    });
+    CHECK(is_one == (way_m > 0.1));
+  }
+}
+
 TEST_CASE("change_pieces__gap_of_boxes_is_that_of_their_nearest_places") {
   const auto box = [](const Vec3& low, const Vec3& high) {
     Box3 out;
