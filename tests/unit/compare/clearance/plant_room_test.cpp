@@ -108,7 +108,7 @@ TEST_CASE("chi_square__plant_room__every_removed_pipe_found_and_no_more_false_al
   for (int k = 1; k <= 5; ++k)
     CHECK(static_cast<double>(hits[k]) > 0.8 * static_cast<double>(planted[k]));
   CHECK(static_cast<double>(hits[6]) > 0.5 * static_cast<double>(planted[6]));
-  // Neighbourhoods that reach over a border thicken it (Girardeau-Montaut 2006, fig. 3.6): that is most of them.
+  // Neighbourhoods that reach over a border thicken it (Girardeau-Montaut 2006, fig. 3.7): all of these.
   CHECK(everywhere.rate() <= 0.02);
   // What is off by more than its noise is a deviation, whether a pipe was taken away or drawn with eight facets.
   CHECK(counted[kOff].rate() > 0.8);
