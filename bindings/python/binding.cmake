@@ -10,6 +10,13 @@ jalon_wrapper(jalon_python python "${CMAKE_CURRENT_BINARY_DIR}/python_swig")
 target_link_libraries(jalon_python PRIVATE Python3::Module)
 set_target_properties(jalon_python PROPERTIES PREFIX "" OUTPUT_NAME _native LIBRARY_OUTPUT_DIRECTORY "${python_package}")
 
+# Java's and C#'s natives have libjalon beside them in the build too.
+if(JALON_INSTALLED AND UNIX)
+  add_custom_command(TARGET jalon_python POST_BUILD VERBATIM
+                     COMMAND "${CMAKE_COMMAND}" -E create_symlink "$<TARGET_FILE:jalon::jalon>"
+                             "${python_package}/$<TARGET_SONAME_FILE_NAME:jalon::jalon>")
+endif()
+
 # The package as it is installed, in the build tree: PYTHONPATH=build/.../bindings/python is enough to use it.
 file(GLOB python_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/python/jalon/*")
 set(python_stamp "${CMAKE_CURRENT_BINARY_DIR}/python.stamp")

@@ -2,7 +2,9 @@
 # SPDX-FileCopyrightText: 2026 The Jalon authors
 # SPDX-License-Identifier: Apache-2.0
 # The same sources give the same bytes: library and tool are built once more from a copy in another folder and at another time,
-# and what is installed of them is compared byte by byte. Usage: reproducible.sh BUILD_FOLDER
+# and what is installed of them is compared byte by byte; so are two wheels, each made over one of them with the same
+# SOURCE_DATE_EPOCH. The tool that packs wheels comes from PyPI; without it they are skipped, visibly, and where CI is set that fails.
+# Usage: reproducible.sh BUILD_FOLDER
 set -uo pipefail
 build=$(realpath "${1:?usage: reproducible.sh BUILD_FOLDER}")
 . "$(dirname "$0")/builds.sh"
@@ -22,4 +24,18 @@ for file in lib/libjalon.so bin/jalon; do
 done
 check "neither names the folder that it was built in" bash -c '! strings -n 4 "$1"/usr/*/*jalon* "$1"/usr/*/*/*jalon.so* 2>/dev/null | grep -F -e "$2" -e "$3"' \
   _ "$work/second" "$copy" "$root"
+
+packer() { python3 -m venv "$work/venv" && "$work/venv/bin/pip" install --disable-pip-version-check scikit-build-core pathspec; }
+wheel() { # wheel SOURCES PREFIX FOLDER
+  SOURCE_DATE_EPOCH=1700000000 "$work/venv/bin/pip" wheel --disable-pip-version-check --no-deps --no-build-isolation --wheel-dir "$3" \
+    -C build-dir="$3/build" -C cmake.define.JALON_INSTALLED=ON -C cmake.define.CMAKE_PREFIX_PATH="$2" "$1"
+}
+if [ -n "${CI:-}" ] || packer >"$work/log" 2>&1; then
+  [ -x "$work/venv/bin/pip" ] || check "what packs wheels is there" packer
+  check "a wheel over the first" wheel "$root" "$work/first/usr" "$work/wheel"
+  check "a wheel over the second" wheel "$copy" "$work/second/usr" "$work/another wheel"
+  check "both wheels have the same bytes" cmp "$work"/wheel/jalon-*.whl "$work"/another\ wheel/jalon-*.whl
+else
+  skipped=$((skipped + 1)); echo "skipped: scikit-build-core cannot be installed"
+fi
 finish
