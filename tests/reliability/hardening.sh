@@ -18,6 +18,11 @@ check() { # check NAME COMMAND ...
 shows() { grep -qE -- "$3" <<<"$(readelf "$1" -W "$2")"; }
 lacks() { ! shows "$@"; }
 calls() { grep -qE -- "$2" <<<"$(nm -D --undefined-only "$1")"; }
+all_enforced() {
+  local objects=() object
+  while read -r object; do objects+=("$object"); done < <(find "$build/src/CMakeFiles" -name '*.o')
+  [ ${#objects[@]} -gt 0 ] && [ "$(readelf -nW "${objects[@]}" | grep -c 'x86 feature: IBT, SHSTK')" -eq ${#objects[@]} ]
+}
 read_by_32_bits() {
   local header
   for header in "$root"/include/jalon/*.h; do
@@ -31,8 +36,10 @@ check "jalon: no segment is both written and executed" lacks -l "$tool" '(LOAD|G
 check "jalon: overwritten stacks are noticed" calls "$tool" ' __stack_chk_fail'
 check "libjalon: overwritten stacks are noticed" calls "$library" ' __stack_chk_fail'
 check "libjalon: buffers of known size are checked (FORTIFY)" calls "$library" ' __[a-z]+_chk(@|$)'
-# The whole library bears the mark where all of its objects do; those of Rust's standard library do not.
-check "libjalon: its objects are made for control-flow enforcement" shows -n "$build/src/libjalon_geometry.a" 'IBT, SHSTK'
+# The whole library bears the mark of landing places (IBT) where all that is linked does; Rust's objects and the system's crti.o do not.
+check "libjalon: return addresses may be kept on a shadow stack (CET)" shows -n "$library" 'x86 feature:.*SHSTK'
+check "jalon: return addresses may be kept on a shadow stack (CET)" shows -n "$tool" 'x86 feature:.*SHSTK'
+check "libjalon: each object of ours is made for control-flow enforcement (CET)" all_enforced
 check "headers: a 32-bit compiler takes them" read_by_32_bits
 echo "$passed passed, $failed failed, 0 skipped"
 [ $failed -eq 0 ]

@@ -82,6 +82,7 @@ HOST = [
            'return {text, text + __builtin_snprintf(text, sizeof text, "%.17g", value)};', "comma_locale", "comma locale"),
     Mutant("B9", "src/CMakeLists.txt", '"LINKER:--exclude-libs,ALL" "LINKER:-z,relro,-z,now")', '"LINKER:--exclude-libs,ALL" "LINKER:-z,lazy")',
            "abi", "full RELRO"),
+    Mutant("B9", "src/CMakeLists.txt", '"LINKER:-z,shstk"', '"LINKER:-z,now"', "hardening", "return addresses may be kept on a shadow stack"),
 ]
 
 RESULTS = [
