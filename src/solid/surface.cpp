@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "base/serial.h"
+
 namespace jalon {
 
 namespace {
@@ -17,32 +19,36 @@ using Triangles = std::vector<std::array<uint32_t, 3>>;
 constexpr size_t kMostConvexCorners = 512;
 /// Of the extent: flat sides of several triangles are flat only this far.
 constexpr double kFlat = 1e-9;
+constexpr size_t kSidesPerLook = 1 << 14;  // each is looked up among all
 
 // For each vertex the first that has the same place.
-std::vector<uint32_t> merged(const std::vector<Vec3>& vertices) {
+std::vector<uint32_t> merged(const std::vector<Vec3>& vertices, Task& task) {
   std::vector<uint32_t> order(vertices.size()), first(vertices.size());
   std::iota(order.begin(), order.end(), 0u);
   const auto key = [&](uint32_t i) {
     return std::tie(vertices[i].x, vertices[i].y, vertices[i].z);
   };
-  std::sort(order.begin(), order.end(),
-            [&](uint32_t a, uint32_t b) { return key(a) < key(b) || (key(a) == key(b) && a < b); });
+  serial_sort(task, order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+    return key(a) < key(b) || (key(a) == key(b) && a < b);
+  });
   for (size_t i = 0; i < order.size(); ++i)
     first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
   return first;
 }
 
-bool encloses(const std::vector<Vec3>& vertices, const Triangles& triangles) {
-  const std::vector<uint32_t> corner = merged(vertices);
+bool encloses(const std::vector<Vec3>& vertices, const Triangles& triangles, Task& task) {
+  const std::vector<uint32_t> corner = merged(vertices, task);
   std::vector<std::pair<uint32_t, uint32_t>> sides;
   for (const auto& t : triangles) {
     const std::array<uint32_t, 3> c{corner[t[0]], corner[t[1]], corner[t[2]]};
     if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
     for (size_t k = 0; k < 3; ++k) sides.emplace_back(c[k], c[(k + 1) % 3]);
   }
-  std::sort(sides.begin(), sides.end());
+  serial_sort(task, sides.begin(), sides.end());
   if (sides.empty() || std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
+  size_t looked_up = 0;
   return std::all_of(sides.begin(), sides.end(), [&](const auto& side) {
+    if (looked_up++ % kSidesPerLook == 0) task.checkpoint(0);
     return std::binary_search(sides.begin(), sides.end(), std::pair{side.second, side.first});
   });
 }
@@ -57,12 +63,12 @@ double volume(const std::vector<Vec3>& vertices, const Triangles& triangles) {
 }
 
 // The hull of a closed surface whose corners all lie behind all of its triangles.
-std::optional<ConvexPiece> convex_of(const std::vector<Vec3>& vertices,
-                                     const Triangles& triangles) {
+std::optional<ConvexPiece> convex_of(const std::vector<Vec3>& vertices, const Triangles& triangles,
+                                     Task& task) {
   std::vector<Vec3> corners;
   std::vector<uint32_t> used;
   for (const auto& t : triangles) used.insert(used.end(), t.begin(), t.end());
-  std::sort(used.begin(), used.end());
+  serial_sort(task, used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
   if (used.size() > kMostConvexCorners) return std::nullopt;
   Box3 box;
@@ -83,16 +89,16 @@ std::optional<ConvexPiece> convex_of(const std::vector<Vec3>& vertices,
 }  // namespace
 
 PartSurface::PartSurface(std::vector<Vec3> vertices, Triangles triangles, Task& task) {
-  closed_ = encloses(vertices, triangles);
+  closed_ = encloses(vertices, triangles, task);
   if (closed_) {
     const double inside = volume(vertices, triangles);
     closed_ = inside != 0;
     if (inside < 0)
       for (auto& t : triangles) std::swap(t[1], t[2]);
   }
-  if (closed_) convex_ = convex_of(vertices, triangles);
+  if (closed_) convex_ = convex_of(vertices, triangles, task);
   nearest_ = NearestTriangles::build(vertices, triangles, task);
-  boxes_ = std::make_unique<const TriangleBoxes>(std::move(vertices), std::move(triangles));
+  boxes_ = std::make_unique<const TriangleBoxes>(std::move(vertices), std::move(triangles), task);
 }
 
 }  // namespace jalon

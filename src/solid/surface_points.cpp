@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "base/error.h"
 #include "base/numbers.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "spatial/octree/walk.h"
 
 namespace jalon {
@@ -18,6 +18,8 @@ namespace {
 /// Corners of the surface whose nearest point bounds the search from above.
 constexpr size_t kProbes = 256;
 constexpr double kSurfacePointsRounding_m = 1e-9;
+constexpr size_t kBallsPerLook = 1 << 10;
+constexpr size_t kSurfacePointsPerLook = 1 << 16;
 
 // Step 1: some point is at most this far from the surface.
 double first_bound(const PartSurface& surface, const Octree& octree) {
@@ -34,16 +36,17 @@ double first_bound(const PartSurface& surface, const Octree& octree) {
 
 // Step 2: the points of all leaves that may hold one within the limit, or one inside.
 std::vector<uint32_t> candidates(const PartSurface& surface, const Octree& octree, double limit,
-                                 const Task& task) {
+                                 Task& task) {
   std::vector<uint32_t> out;
   const std::span<const uint32_t> order = octree.order();
   // Balls about one and the same place, of points on one another, are asked once.
   Vec3 place{kNaN, kNaN, kNaN};
+  size_t asked = 0;
   TriangleAnswer answer;
   walk_octree(
       octree,
       [&](const BoundingBall& ball, double& key) {
-        if (task.cancelled()) throw Error(Status::kCancelled, "cancelled");
+        if (asked++ % kBallsPerLook == 0) task.checkpoint(0);
         if (!(ball.centre == place)) {
           place = ball.centre;
           answer = surface.nearest().nearest(place, std::numeric_limits<double>::infinity(),
@@ -75,11 +78,12 @@ PointClearance clearance_of_points(const PartSurface& surface, const Octree& oct
   std::vector<NearPoint> found(order.size());
   std::vector<uint32_t> place(order.size());
   Buffer<double> picked(3 * order.size());
-  for (uint32_t i = 0; i < order.size(); ++i) {
-    place[i] = i;
-    std::copy_n(xyz.data() + 3 * static_cast<size_t>(order[i]), 3,
-                picked.data() + 3 * static_cast<size_t>(i));
-  }
+  serial_for(task, order.size(), kSurfacePointsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      place[i] = static_cast<uint32_t>(i);
+      std::copy_n(xyz.data() + 3 * static_cast<size_t>(order[i]), 3, picked.data() + 3 * i);
+    }
+  });
   surface.nearest().for_each(picked, place, std::numeric_limits<double>::infinity(), {closed, true},
                              task, [&](uint32_t item, const TriangleAnswer& answer) {
                                const bool inside = closed && answer.is_behind;
@@ -90,12 +94,14 @@ PointClearance clearance_of_points(const PartSurface& surface, const Octree& oct
 
   PointClearance result;
   result.least = *std::min_element(found.begin(), found.end(), precedes);
-  for (const NearPoint& near : found) {
-    if (near.distance_m < 0) ++result.inside;
-    if (near.distance_m <= margin_m) result.near.push_back(near);
-  }
-  std::sort(result.near.begin(), result.near.end(),
-            [](const NearPoint& a, const NearPoint& b) { return a.point < b.point; });
+  serial_for(task, found.size(), kSurfacePointsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (found[i].distance_m < 0) ++result.inside;
+      if (found[i].distance_m <= margin_m) result.near.push_back(found[i]);
+    }
+  });
+  serial_sort(task, result.near.begin(), result.near.end(),
+              [](const NearPoint& a, const NearPoint& b) { return a.point < b.point; });
   return result;
 }
 

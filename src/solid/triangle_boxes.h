@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "base/task.h"
 #include "geometry/vec.h"
 #include "spatial/octree/walk.h"
 
@@ -16,7 +17,8 @@ namespace jalon {
 /// Triangles of obstacles with a binary tree of boxes, halved along the longest axis of the centres. Immutable.
 class TriangleBoxes {
  public:
-  TriangleBoxes(std::vector<Vec3> vertices, std::vector<std::array<uint32_t, 3>> triangles);
+  TriangleBoxes(std::vector<Vec3> vertices, std::vector<std::array<uint32_t, 3>> triangles,
+                Task& task);
 
   size_t size() const { return triangles_.size(); }
   std::array<Vec3, 3> corners(uint32_t triangle) const {
@@ -67,7 +69,8 @@ class TriangleBoxes {
     return {(node.box.min + node.box.max) * 0.5,
             norm(node.box.max - node.box.min) * 0.5 + octree_walk::kRounding_m};
   }
-  void split(uint32_t node, uint32_t begin, uint32_t end, const std::vector<Box3>& boxes);
+  void split(uint32_t node, uint32_t begin, uint32_t end, const std::vector<Box3>& boxes,
+             Task& task);
 
   std::vector<Vec3> vertices_;
   std::vector<std::array<uint32_t, 3>> triangles_;

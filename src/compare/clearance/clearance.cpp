@@ -35,15 +35,21 @@ void put(const Vec3& v, double* out) {
   out[2] = v.z;
 }
 
-// part, face and triangle of each row; prefix "" or "other_".
+// part, face and triangle of each row; prefix "" or "other_". Of millions of rows each takes a tenth of a second: a
+// cancel is looked for between them.
 template <class Rows, class F>
-void add_sources(FieldTable& table, const Rows& rows, const std::string& prefix, F&& source) {
+void add_sources(FieldTable& table, const Rows& rows, const std::string& prefix, F&& source,
+                 Task& task) {
+  task.checkpoint(1);
   add_column<uint64_t>(table, rows, prefix + "part", "", "part, or 2^64 - 1",
                        [&](const auto& row) { return source(row).part; });
+  task.checkpoint(1);
   add_column<uint64_t>(table, rows, prefix + "face", "", "row of the faces, or 2^64 - 1",
                        [&](const auto& row) { return source(row).face; });
+  task.checkpoint(1);
   add_column<uint64_t>(table, rows, prefix + "triangle", "", "row of the triangles, or 2^64 - 1",
                        [&](const auto& row) { return source(row).triangle; });
+  task.checkpoint(1);
 }
 
 PartSurface surface_of(const PartTriangles& part, Task& task) {
@@ -51,27 +57,31 @@ PartSurface surface_of(const PartTriangles& part, Task& task) {
 }
 
 FieldTable near_points_table(const std::vector<NearPoint>& rows, const Cloud& cloud,
-                             const PartTriangles& part) {
+                             const PartTriangles& part, Task& task) {
   FieldTable t;
   add_column<uint64_t>(t, rows, "point", "", "point of the cloud",
                        [](const NearPoint& r) { return r.point; });
   add_column<double>(t, rows, "clearance", "m", "distance; negative inside",
                      [](const NearPoint& r) { return r.distance_m; });
-  add_sources(t, rows, "", [&](const NearPoint& r) { return part.sources[r.triangle]; });
+  add_sources(
+      t, rows, "", [&](const NearPoint& r) { return part.sources[r.triangle]; }, task);
   add_columns<double, 3>(t, rows, "xyz", "m", "the point",
                          [&](const NearPoint& r, double* o) { put(cloud.point(r.point), o); });
+  task.checkpoint(1);
   add_columns<double, 3>(t, rows, "foot", "m", "nearest point of the surface",
                          [](const NearPoint& r, double* o) { put(r.foot, o); });
   return t;
 }
 
 FieldTable near_triangles_table(const std::vector<NearTriangle>& rows, const PartTriangles& part,
-                                const PartTriangles& other) {
+                                const PartTriangles& other, Task& task) {
   FieldTable t;
   add_column<double>(t, rows, "clearance", "m", "distance; 0: they meet",
                      [](const NearTriangle& r) { return r.distance_m; });
-  add_sources(t, rows, "", [&](const NearTriangle& r) { return part.sources[r.first]; });
-  add_sources(t, rows, "other_", [&](const NearTriangle& r) { return other.sources[r.second]; });
+  add_sources(
+      t, rows, "", [&](const NearTriangle& r) { return part.sources[r.first]; }, task);
+  add_sources(
+      t, rows, "other_", [&](const NearTriangle& r) { return other.sources[r.second]; }, task);
   add_columns<double, 3>(t, rows, "xyz", "m", "nearest point of the other surface",
                          [](const NearTriangle& r, double* o) { put(r.second_point, o); });
   add_columns<double, 3>(t, rows, "foot", "m", "nearest point of the surface",
@@ -107,12 +117,12 @@ ClearanceTables clearance_to_cloud(const Model& model, uint64_t part, const Clou
   const PointClearance found =
       clearance_of_points(surface, *cloud.octree(task), cloud.xyz(), settings.margin_m, task);
 
-  ClearanceTables tables{near_points_table({found.least}, cloud, triangles), {}};
+  ClearanceTables tables{near_points_table({found.least}, cloud, triangles, task), {}};
   const double depth = !surface.is_closed() ? kNaN : std::max(0.0, -found.least.distance_m);
   add_inside(tables.summary, surface.is_closed(), found.inside > 0 || found.least.distance_m == 0,
              depth, found.near.size());
   add_value<uint64_t>(tables.summary, "inside", "", "points inside", found.inside);
-  tables.near = near_points_table(found.near, cloud, triangles);
+  tables.near = near_points_table(found.near, cloud, triangles, task);
   return tables;
 }
 
@@ -135,11 +145,11 @@ ClearanceTables clearance_to_model(const Model& model, uint64_t part, const Mode
       row.first_point = found.deepest_foot;
     }
   }
-  ClearanceTables tables{near_triangles_table({row}, first, second), {}};
+  ClearanceTables tables{near_triangles_table({row}, first, second, task), {}};
   add_inside(tables.summary, a.is_closed(), found.meet, found.depth_m, found.near.size());
   add_value<uint8_t>(tables.summary, "other_closed", "", "1: the other surface encloses a volume",
                      b.is_closed());
-  tables.near = near_triangles_table(found.near, first, second);
+  tables.near = near_triangles_table(found.near, first, second, task);
   return tables;
 }
 

@@ -78,7 +78,7 @@ SweepTables sweep_tables(std::span<const ConvexPiece> pieces, std::span<const Tr
   std::optional<TriangleBoxes> boxes;
   if (model != nullptr) {
     triangles = triangles_of_part(*model, kWholeModel, settings.chord_m);
-    boxes.emplace(triangles->vertices, triangles->triangles);
+    boxes.emplace(triangles->vertices, triangles->triangles, task);
     obstacles.triangles = &*boxes;
   }
   const ProgressSpan span(task, 0.3, 1, "sweeping");

@@ -66,7 +66,8 @@ TEST_CASE("nearest_pair__of_two_soups_is_the_least_of_all_pairs") {
       }
       triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
-    const TriangleBoxes a(vertices[0], triangles), b(vertices[1], triangles);
+    Task task;
+    const TriangleBoxes a(vertices[0], triangles, task), b(vertices[1], triangles, task);
     double least = 1e300;
     Vec3 p, q;
     for (uint32_t i = 0; i < 15; ++i)

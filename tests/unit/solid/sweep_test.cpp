@@ -99,7 +99,7 @@ TEST_CASE("sweep_gauge__equals_brute_force_on_200_random_scenes") {
     for (size_t i = 0; i < scene.xyz.size() / 3; ++i) box.add(scene.point(i));
     Task task(sweep_threads(1));
     const auto octree = Octree::build(scene.xyz, enclosing_cube(box), task);
-    const TriangleBoxes boxes(scene.vertices, scene.triangles);
+    const TriangleBoxes boxes(scene.vertices, scene.triangles, task);
     const SweepSettings settings{100, 100};  // everything is a place
     const SweepResult result = sweep_gauge(scene.pieces, scene.transforms,
                                            {octree.get(), scene.xyz, &boxes}, settings, task);
@@ -166,8 +166,8 @@ TEST_CASE("sweep_gauge__meets_what_only_a_turn_brings_near") {
                                      frame_of({std::sqrt(0.5), 0, 0, std::sqrt(0.5)}, {})};
   const double r = 4.99 / std::sqrt(2.0);
   const std::vector<Vec3> vertices{{r, r, -0.2}, {r + 1e-3, r, -0.2}, {r, r, 0.2}};
-  const TriangleBoxes boxes(vertices, {{0, 1, 2}});
   Task task;
+  const TriangleBoxes boxes(vertices, {{0, 1, 2}}, task);
   const SweepResult result = sweep_gauge(gauge, poses, {nullptr, {}, &boxes}, {0, 1}, task);
   REQUIRE(result.places.size() == 1);
   CHECK(result.places[0].time == doctest::Approx(0.5).epsilon(0.05).scale(0));

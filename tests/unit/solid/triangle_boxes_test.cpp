@@ -5,7 +5,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 
+#include "base/error.h"
 #include "solid/nearest_point.h"
 #include "unit/solid/brute_force.h"
 
@@ -22,7 +24,8 @@ TriangleBoxes random_soup(uint32_t n, uint64_t seed) {
     for (int c = 0; c < 3; ++c) vertices.push_back(at + brute::any_vector(random, 0.5));
     triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
   }
-  return {vertices, triangles};
+  Task task;
+  return {vertices, triangles, task};
 }
 
 }  // namespace
@@ -49,13 +52,14 @@ TEST_CASE("triangle_boxes__the_nearest_triangle_is_that_of_a_loop_over_all") {
 
 TEST_CASE("triangle_boxes__ties_go_to_the_lower_index_and_the_limit_is_closed") {
   const std::vector<Vec3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  const TriangleBoxes boxes(vertices, {{2, 1, 0}, {0, 1, 2}, {1, 2, 0}});
+  Task task;
+  const TriangleBoxes boxes(vertices, {{2, 1, 0}, {0, 1, 2}, {1, 2, 0}}, task);
   TriangleBoxes::Nearest out;
   REQUIRE(boxes.nearest({0.25, 0.25, 2}, 2, out));
   CHECK(out.triangle == 0);
   CHECK(out.squared_m2 == 4);
   CHECK_FALSE(boxes.nearest({0.25, 0.25, 2}, 1.999, out));
-  CHECK_FALSE(TriangleBoxes({}, {}).nearest({0, 0, 0}, 1e9, out));
+  CHECK_FALSE(TriangleBoxes({}, {}, task).nearest({0, 0, 0}, 1e9, out));
 }
 
 TEST_CASE("triangle_boxes__a_walk_finds_every_triangle_once_inside_balls_that_hold_it") {
@@ -80,4 +84,12 @@ TEST_CASE("triangle_boxes__a_walk_finds_every_triangle_once_inside_balls_that_ho
     if (norm(place - nearest_on_triangle(place, c[0], c[1], c[2])) <= 1) CHECK(near[t] == 1);
   }
   CHECK(std::count(near.begin(), near.end(), 0) > 0);
+}
+
+TEST_CASE("triangle_boxes__a_cancel_ends_the_building_of_a_tree") {
+  const std::atomic<bool> cancelled{true};
+  Task::Hooks hooks;
+  hooks.cancel = &cancelled;
+  Task task(hooks);
+  CHECK_THROWS_AS(TriangleBoxes({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}, task), Error);
 }
