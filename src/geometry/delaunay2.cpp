@@ -138,12 +138,15 @@ void Delaunay::Impl::snap(std::span<const Vec2> points, double grid_m) {
     return static_cast<uint64_t>(number);
   };
   keys.resize(points.size());
-  for (size_t i = 0; i < points.size(); ++i)
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (task != nullptr && i % kEdgesPerLook == 0) task->checkpoint(0);
     keys[i] = {steps(points[i].u - low.u) << 32 | steps(points[i].v - low.v),
                static_cast<uint32_t>(i)};
+  }
   if (task != nullptr) serial_sort(*task, keys.begin(), keys.end());
   else std::sort(keys.begin(), keys.end());
   for (size_t i = 0; i < keys.size(); ++i) {
+    if (task != nullptr && i % kEdgesPerLook == 0) task->checkpoint(0);
     if (i > 0 && keys[i].first == keys[i - 1].first) continue;
     nodes.push_back({static_cast<int64_t>(keys[i].first >> 32),
                      static_cast<int64_t>(keys[i].first & 0xffffffffu)});

@@ -9,6 +9,7 @@
 
 #include "base/numbers.h"
 #include "base/parallel.h"
+#include "base/serial.h"
 #include "compare/visibility/recovery.h"
 #include "geometry/delaunay2.h"
 #include "spatial/triangles/tree.h"
@@ -18,6 +19,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kRecoveryDirectionGrain = 1 << 12;  // points a chunk
+constexpr size_t kRecoveryPerLook = 1 << 16;  // points, cells or triangles: some milliseconds
 
 /// Coordinates across (x, y) and along (z) the direction, from whole metres at a point.
 class PlanFrame {
@@ -55,17 +57,20 @@ class PlanCells {
 
 /// The cells of the given points and those around them, ascending.
 std::vector<uint64_t> cells_near(const Cloud& cloud, std::span<const uint64_t> points,
-                                 const PlanFrame& frame, const PlanCells& cells) {
+                                 const PlanFrame& frame, const PlanCells& cells, Task& task) {
   std::vector<uint64_t> own;
-  for (const uint64_t i : points) own.push_back(cells.number(frame.of(cloud.point(i))));
-  std::sort(own.begin(), own.end());
+  serial_for(task, points.size(), kRecoveryPerLook, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k)
+      own.push_back(cells.number(frame.of(cloud.point(points[k]))));
+  });
+  serial_sort(task, own.begin(), own.end());
   own.erase(std::unique(own.begin(), own.end()), own.end());
   std::vector<uint64_t> near;
   for (const uint64_t number : own)
     for (int64_t column = -1; column <= 1; ++column)
       for (int64_t row = -1; row <= 1; ++row)
         near.push_back(number + static_cast<uint64_t>(column * (int64_t{1} << 32) + row));
-  std::sort(near.begin(), near.end());
+  serial_sort(task, near.begin(), near.end());
   near.erase(std::unique(near.begin(), near.end()), near.end());
   return near;
 }
@@ -91,9 +96,13 @@ std::vector<Vec3> points_in(const Cloud& reference, const std::vector<uint64_t>&
 std::vector<std::array<uint32_t, 3>> short_triangles(const std::vector<Vec3>& points,
                                                      double longest_m, Task& task) {
   std::vector<Vec2> flat;
-  for (const Vec3& p : points) flat.push_back({p.x, p.y});
+  serial_for(task, points.size(), kRecoveryPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) flat.push_back({points[i].x, points[i].y});
+  });
   auto triangles = delaunay(flat, kDelaunayGrid_m, &task);
+  size_t measured = 0;
   std::erase_if(triangles, [&](const std::array<uint32_t, 3>& t) {
+    if (measured++ % kRecoveryPerLook == 0) task.checkpoint(1);
     return norm(flat[t[0]] - flat[t[1]]) > longest_m || norm(flat[t[1]] - flat[t[2]]) > longest_m ||
            norm(flat[t[2]] - flat[t[0]]) > longest_m;
   });
@@ -112,7 +121,8 @@ std::vector<double> heights_along(const Cloud& reference, const Cloud& compared,
   const PlanCells cells(radius_m);
   const auto surface = [&] {
     const ProgressSpan span(task, 0, 0.2);
-    return points_in(reference, cells_near(compared, points, frame, cells), frame, cells, task);
+    return points_in(reference, cells_near(compared, points, frame, cells, task), frame, cells,
+                     task);
   }();
   if (surface.size() < 3) return heights;
   // 2. Its triangles.

@@ -14,7 +14,7 @@ namespace {
 
 // Octree cells of about the reach: larger ones bring points that are of no use, smaller ones more look-ups.
 constexpr double kCellsPerReach = 0.75;
-constexpr size_t kCellsPerLook = 256;
+constexpr size_t kCellsPerLook = 16;  // of a cloud of millions each may hold hundreds of points
 constexpr size_t kCodesBeforeSort = 1 << 20, kCodesPerLook = 1 << 17;
 
 int level_for(const Cube& cube, double edge_m) {

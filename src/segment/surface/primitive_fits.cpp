@@ -208,10 +208,19 @@ FieldTable circle_table(const Cloud& cloud, std::span<const uint64_t> indices,
   require_points(list, 3, "a circle");
   PlaneFit plane;
   CircleFit fit;
-  if (!fit_plane(list.points, plane)) refuse(list, "circle", setting);
-  std::vector<Vec2> uv;
-  for (const Vec3& p : list.points)
-    uv.push_back({dot(p - plane.centroid, plane.axis_u), dot(p - plane.centroid, plane.axis_v)});
+  Moments moments;
+  moments.reference = list.points.front();
+  serial_for(task, list.points.size(), kPrimitiveFitsPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) moments.add(list.points[i]);
+  });
+  if (!fit_plane(moments, plane)) refuse(list, "circle", setting);
+  std::vector<Vec2> uv(list.points.size());
+  parallel_for(task, uv.size(), kPrimitiveFitsPointsPerChunk, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const Vec3 p = list.points[i] - plane.centroid;
+      uv[i] = {dot(p, plane.axis_u), dot(p, plane.axis_v)};
+    }
+  });
   if (!fit_circle(uv, setting, task, fit)) refuse(list, "circle", setting);
   const Vec2 c = fit.circle.centre;
   const Vec3 centre = list.origin + plane.centroid + c.u * plane.axis_u + c.v * plane.axis_v;
