@@ -14,6 +14,7 @@
 #define JALON_REPORT_H
 
 #include <jalon/adjustment.h>
+#include <jalon/clearance.h>
 #include <jalon/comparer.h>
 #include <jalon/modeller.h>
 #include <jalon/network.h>
@@ -129,6 +130,26 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_histogram(const jalon_comp
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(
     const jalon_comparison* forward, const jalon_comparison* reverse, const jalon_fields* changes,
+    const char* notes_json, const char* path, const jalon_params* options, jalon_task* task);
+
+/**
+ * One self-contained HTML page on the run of a gauge: least clearance, the clearance along the way, a table of the
+ * tight places (each the tightest obstacle within "apart_m"), at the tightest of them sections across the travel with
+ * the outline of the gauge and the points of the cloud, to scale, and the cloud in the colours of its clearances.
+ *
+ * - places, intervals: what jalon_gauge_sweep or jalon_gauge_sweep_model gave.
+ * - pieces, hull_points: of jalon_gauge_sweep; piece_count 0: sections without the gauge's outline.
+ * - poses: those of the sweep.
+ * - cloud: that of the sweep, or NULL: without its points.
+ * - notes_json: as in jalon_report_write_html.
+ * - options: operation "clearance_report"; "margin_m" is that of the sweep.
+ *
+ * JALON_ERROR_INVALID_ARGUMENT for other tables. O(sections n).
+ */
+JALON_API JALON_CHECK jalon_status jalon_report_write_clearance(
+    const jalon_fields* places, const jalon_fields* intervals, const jalon_gauge_piece* pieces,
+    uint64_t piece_count, const double* hull_points, uint64_t hull_point_count,
+    const jalon_transform* poses, uint64_t pose_count, const jalon_cloud* cloud,
     const char* notes_json, const char* path, const jalon_params* options, jalon_task* task);
 
 /**

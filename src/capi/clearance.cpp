@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "jalon/clearance.h"
 
+#include "capi/support/gauge_pieces.h"
 #include "capi/support/guard.h"
 #include "capi/support/model_handles.h"
 #include "compare/clearance/clearance.h"
-#include "geometry/rigid_motion.h"
-#include "solid/motion.h"
 
 using namespace jalon;
 using namespace jalon::capi;
@@ -14,75 +13,6 @@ using namespace jalon::capi;
 static_assert(JALON_WHOLE_MODEL == kWholeModel && JALON_WHOLE_MODEL == kNoRow);
 
 namespace {
-
-constexpr uint64_t kMaxPieces = 1000;
-constexpr uint64_t kMaxPoses = 10'000'000;
-constexpr double kLargest_m = 1e6;  // of a piece
-
-double positive(double size, uint64_t i) {
-  if (!(size > 0 && size <= kLargest_m))
-    fail(Status::kInvalidArgument, "a size of piece %llu is not between 0 and 1e6 m",
-         static_cast<unsigned long long>(i));
-  return size;
-}
-
-ConvexPiece hull_of(const jalon_gauge_piece& piece, const Transform& frame, const double* points,
-                    uint64_t count, uint64_t i) {
-  if (points == nullptr || piece.first > count || piece.count > count - piece.first)
-    fail(Status::kInvalidArgument, "piece %llu wants hull points that are not there",
-         static_cast<unsigned long long>(i));
-  std::vector<Vec3> corners;
-  for (uint64_t k = piece.first; k < piece.first + piece.count; ++k) {
-    corners.push_back(frame.point({points[3 * k], points[3 * k + 1], points[3 * k + 2]}));
-    if (!is_finite(corners.back()))
-      fail(Status::kInvalidArgument, "hull point %llu is not finite",
-           static_cast<unsigned long long>(k));
-  }
-  return ConvexPiece::hull(corners);
-}
-
-ConvexPiece piece_of(const jalon_gauge_piece& piece, const double* points, uint64_t count,
-                     uint64_t i) {
-  Transform frame = from_c(piece.frame);
-  require_rigid(frame, ("the frame of piece " + std::to_string(i)).c_str());
-  frame = orthonormal(frame);
-  switch (piece.kind) {
-    case JALON_GAUGE_BOX:
-      return ConvexPiece::box(
-          frame, {positive(piece.size.x, i), positive(piece.size.y, i), positive(piece.size.z, i)});
-    case JALON_GAUGE_SPHERE:
-      return ConvexPiece::sphere(frame.translation(), positive(piece.size.x, i));
-    case JALON_GAUGE_CYLINDER:
-      return ConvexPiece::cylinder(frame, positive(piece.size.x, i), positive(piece.size.z, i));
-    case JALON_GAUGE_HULL:
-      return hull_of(piece, frame, points, count, i);
-    default:
-      fail(Status::kInvalidArgument, "%d is no kind of piece: 1 box, 2 sphere, 3 cylinder, 4 hull",
-           piece.kind);
-  }
-}
-
-std::vector<ConvexPiece> gauge_of(const jalon_gauge_piece* pieces, uint64_t count,
-                                  const double* points, uint64_t point_count) {
-  if (count == 0 || count > kMaxPieces)
-    fail(Status::kInvalidArgument, "%llu pieces; a gauge has 1 to 1000",
-         static_cast<unsigned long long>(count));
-  require(pieces, "pieces");
-  if (point_count > 0) require_array(points, JALON_FLOAT64, point_count, 3, 0, "hull_points");
-  std::vector<ConvexPiece> gauge;
-  for (uint64_t i = 0; i < count; ++i) gauge.push_back(piece_of(pieces[i], points, point_count, i));
-  return gauge;
-}
-
-std::vector<Transform> pose_list(const jalon_transform* poses, uint64_t count) {
-  if (count == 0 || count > kMaxPoses)
-    fail(Status::kInvalidArgument, "%llu poses; a trajectory has 1 to 10 000 000",
-         static_cast<unsigned long long>(count));
-  require(poses, "poses");
-  std::vector<Transform> out;
-  for (uint64_t i = 0; i < count; ++i) out.push_back(from_c(poses[i]));
-  return out;
-}
 
 /// Two tables, each only if wanted.
 struct TablePair {

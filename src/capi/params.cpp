@@ -37,6 +37,7 @@
 #include "registration/network/network_settings.h"
 #include "registration/targets/measure.h"
 #include "report/pages/change_outlines.h"
+#include "report/pages/clearance_report.h"
 #include "report/pages/comparison_report.h"
 #include "report/pages/adjustment_report.h"
 #include "report/pages/registration_report.h"
@@ -69,6 +70,7 @@ std::span<const Operation> operations() {
       {"deviation_picture", deviation_picture_rows},
       {"comparison_report", comparison_report_rows},
       {"registration_report", registration_report_rows},
+      {"clearance_report", clearance_report_rows},
       {"adjustment_report", adjustment_report_rows},
       {"outliers", outliers_rows},
       {"subsample", subsample_rows},

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include "capi/support/cloud_handle.h"
 #include "capi/support/comparison_handles.h"
+#include "capi/support/gauge_pieces.h"
 #include "capi/support/guard.h"
 #include "capi/support/report_files.h"
 #include "jalon/report.h"
+#include "report/pages/clearance_report.h"
 #include "report/pages/comparison_report.h"
 #include "report/pictures/deviation_picture.h"
 
@@ -54,5 +57,30 @@ jalon_status jalon_report_write_comparison(const jalon_comparison* forward,
     with_task(task, [&](Task& t) {
       write_whole(target, comparison_html(*forward->comparison, other, table, notes, settings, t));
     });
+  });
+}
+
+jalon_status jalon_report_write_clearance(const jalon_fields* places, const jalon_fields* intervals,
+                                          const jalon_gauge_piece* pieces, uint64_t piece_count,
+                                          const double* hull_points, uint64_t hull_point_count,
+                                          const jalon_transform* poses, uint64_t pose_count,
+                                          const jalon_cloud* cloud, const char* notes_json,
+                                          const char* path, const jalon_params* options,
+                                          jalon_task* task) {
+  return guard([&] {
+    require(places, "places");
+    require(intervals, "intervals");
+    const std::string target = require_text(path, "path"), notes = notes_text(notes_json);
+    const auto settings =
+        settings_from<ClearanceReportSettings>(options_or_default(options, "clearance_report"));
+    GaugeRun run{places->table,
+                 intervals->table,
+                 {},
+                 pose_list(poses, pose_count),
+                 cloud != nullptr ? cloud->cloud : nullptr};
+    for (const Transform& pose : run.poses) require_rigid(pose, "a pose");
+    if (piece_count > 0)
+      run.gauge = gauge_outlines(pieces, piece_count, hull_points, hull_point_count);
+    with_task(task, [&](Task& t) { write_whole(target, clearance_html(run, notes, settings, t)); });
   });
 }

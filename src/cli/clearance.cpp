@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include <cmath>
+#include <functional>
 
 #include <nlohmann/json.hpp>
 
@@ -40,6 +41,9 @@ struct Clearance {
   Input cloud;  ///< how a scan among the inputs is read
   int64_t part = -1, other_part = -1;
   Settings settings;
+  ViewerOption viewer;
+
+  using Page = std::function<void(const std::string& path)>;  ///< writes the report
 
   /// What the files hold: at most a cloud, and models in their order.
   struct Scene {
@@ -137,8 +141,9 @@ struct Clearance {
     const std::vector<jalon_transform> poses = read_trajectory(trajectory);
     jalon_model* model = scene.models.empty() ? nullptr : scene.models[0].get();
     Fields place_fields, interval_fields;
+    Gauge pieces;  // of a model none: the sections do without its outline
     if (lower_end(gauge, 5) == ".json" && lower_end(gauge, 10) != ".city.json") {
-      const Gauge pieces = read_gauge(gauge);
+      pieces = read_gauge(gauge);
       console.step("sweeping");
       must(jalon_gauge_sweep(pieces.pieces.data(), pieces.pieces.size(), pieces.hull_points.data(),
                              pieces.hull_points.size() / 3, poses.data(), poses.size(),
@@ -153,11 +158,28 @@ struct Clearance {
                                    Out(interval_fields)));
     }
     const Table places(std::move(place_fields)), intervals(std::move(interval_fields));
-    report(console, options, poses.size(), places, intervals, result, scene.lengths);
+    const Json notes{{"title", "Clearance report"},
+                     {"input",
+                      {{"obstacles", inputs[0] + (inputs.size() > 1 ? ", " + inputs[1] : "")},
+                       {"gauge", gauge},
+                       {"trajectory", trajectory}}}};
+    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
+    const Page page = [&](const std::string& path) {
+      const Params wanted = viewer.params("clearance_report");
+      double margin = 0;
+      must(jalon_params_get_double(options.get(), "margin_m", &margin));
+      must(jalon_params_set_double(wanted.get(), "margin_m", margin));
+      must(jalon_report_write_clearance(
+          places.fields(), intervals.fields(), pieces.pieces.data(), pieces.pieces.size(),
+          pieces.hull_points.data(), pieces.hull_points.size() / 3, poses.data(), poses.size(),
+          scene.cloud.get(), text.c_str(), path.c_str(), wanted.get(), console.task()));
+    };
+    report(console, options, poses.size(), places, intervals, result, scene.lengths, page);
   }
 
   void report(const Console& console, const Params& options, size_t poses, const Table& places,
-              const Table& intervals, Json& result, const Lengths& lengths) const {
+              const Table& intervals, Json& result, const Lengths& lengths,
+              const Page& page) const {
     std::vector<double> clearances;
     uint64_t worst = 0, below = 0, touching = 0;
     double margin = 0, reach = 0;
@@ -188,11 +210,12 @@ struct Clearance {
     write(console, result,
           {{"places.csv", places.csv()},
            {"intervals.csv", intervals.csv()},
-           {"clearance.svg", clearance_drawing(clearances, margin, reach, lengths.length())}});
+           {"clearance.svg", clearance_drawing(clearances, margin, reach, lengths.length())}},
+          page);
   }
 
   void write(const Console& console, Json& result,
-             std::vector<std::pair<std::string, std::string>> files) const {
+             std::vector<std::pair<std::string, std::string>> files, const Page& page = {}) const {
     if (output.empty()) return;
     files.emplace_back("clearance.json",
                        result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -201,6 +224,10 @@ struct Clearance {
     for (const auto& [name, text] : files) {
       write_text_file(folder.path(name), text);
       names += (names.empty() ? "" : ", ") + name;
+    }
+    if (page) {
+      page(folder.path("report.html"));
+      names += ", report.html";
     }
     folder.commit();
     console.say("wrote " + output + ": " + names);
@@ -226,9 +253,12 @@ void add_clearance(Command& app) {
   command.option("--part", state->part, "Row of the model's part; else all of it").non_negative();
   command.option("--other-part", state->other_part, "The same of the other model").non_negative();
   state->cloud.add_points_to(command);
-  command.option("-o,--output", state->output, "Also write tables, drawing and JSON here")
+  command
+      .option("-o,--output", state->output,
+              "Also write tables, drawing, JSON and, with a gauge, the report here")
       .type_name("DIR");
   state->settings.add_to(command);
+  state->viewer.add_to(command);
   add_common(command, state->common);
   command.footer([] {
     return "Parameters of --set:\n" + describe(make_params("clearance").get()) + R"(

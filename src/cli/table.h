@@ -18,6 +18,7 @@ class Table {
   explicit Table(Fields fields);
 
   uint64_t rows() const { return rows_; }
+  jalon_fields* fields() const { return fields_.get(); }
   /// Element as a double; the column must be there.
   bool has(const char* name) const;
   double number(const char* name, uint64_t row, uint32_t component = 0) const;

@@ -42,8 +42,9 @@ HANDLES = {
     "jalon_params": ("fx_options(\"normals\")", []),
     "jalon_bytes": ("fx_bytes_of(\"cloud\")", []),
 }
-# Functions that refuse even the baseline: no part of the fixtures' models is a copy; the registrar is one of targets.
-REFUSED = {"jalon_model_remove_copy", "jalon_registrar_run"}
+# Functions that refuse even the baseline: no part of the fixtures' models is a copy; the registrar is one of
+# targets; the table of fields is none of a sweep.
+REFUSED = {"jalon_model_remove_copy", "jalon_registrar_run", "jalon_report_write_clearance"}
 # Baselines that need another handle or value than the tables give.
 BASE = {
     "jalon_gauge_sweep_model.gauge": "fx_block", "jalon_gauge_sweep_model.pose_count": "5",
@@ -73,6 +74,7 @@ BASE = {
     "jalon_report_write_comparison.path": 'fx_path("comparison.html")', "jalon_report_write_comparison.changes": "NULL",
     "jalon_report_write_adjustment.path": 'fx_path("adjustment.html")',
     "jalon_report_write_network.path": 'fx_path("network.html")',
+    "jalon_report_write_clearance.path": 'fx_path("clearance.html")', "jalon_report_write_clearance.pose_count": "5",
     "jalon_report_write_registration.path": 'fx_path("registration.html")',
     "jalon_report_write_picture.path": 'fx_path("picture.svg")', "jalon_report_write_json.path": 'fx_path("out.json")', "jalon_params_set_string.value": "fx_text_value",
     "jalon_area_indices.automatic_m2": "fx_areas", "jalon_area_indices.reference_m2": "fx_areas",

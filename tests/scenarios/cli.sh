@@ -433,7 +433,7 @@ truth=math.hypot(max(side,0),max(depth,0)) if max(side,depth)>0 else max(side,de
 least=d[\"least\"]
 assert abs(least[\"clearance\"]-truth)<1e-6 and least[\"interval\"]==1 and abs(least[\"parameter\"]-1.8)<0.11, d
 assert d[\"poses\"]==4 and d[\"places\"]==1 and d[\"intervals_within_margin\"]==1, d'"
-for file in places.csv intervals.csv clearance.svg clearance.json; do check "clearance made $file" test -s swept/$file; done
+for file in places.csv intervals.csv clearance.svg clearance.json report.html; do check "clearance made $file" test -s swept/$file; done
 check "rsvg draws the clearance" rsvg-convert swept/clearance.svg -o swept.png
 check "clearance of a model from a cloud" bash -c "'$jalon' clearance result/model.obj sample.las -o measured --set margin_m=0.005 | grep -q 'within the margin' && test -s measured/near.csv"
 # A corner of three walls, scanned twice; the second scan lies turned by half a degree about the vertical and shifted.

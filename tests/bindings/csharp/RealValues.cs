@@ -41,6 +41,7 @@ static class RealValues {
       {"Model.Write.path", "written.obj"}, {"Cloud.WriteDepthMap.path", "depth.png"}, {"Sections.Write.path", "sections.dxf"}, {"Comparer.ReadM3c2File.path", "m3c2.txt"},
       {"Segmentation.WritePrimitives.path", "primitives.txt"}, {"Library.ReportWriteHtml.path", "report.html"},
       {"Library.ReportWriteJson.path", "report.json"}, {"Library.ReportWriteComparison.path", "comparison.html"},
+      {"Library.ReportWriteClearance.path", "clearance.html"},
       {"Library.ReportWriteRegistration.path", "registration.html"},
       {"Library.ReportWriteOrthoimage.path", "orthoimage.png"},
       {"Library.ReportWriteAdjustment.path", "adjustment.html"},

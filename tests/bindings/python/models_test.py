@@ -178,6 +178,11 @@ class Models(unittest.TestCase):
             self.assertTrue(np.allclose(places["clearance"], [0.1, 0.25], atol=1e-6))
             self.assertEqual(places["piece"].tolist(), [0, 1])
             self.assertEqual(intervals["near"].tolist(), [2])
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "clearance.html")
+            jalon.report_write_clearance(*results[0], gauge, forms[0], path, cloud)
+            with open(path, encoding="utf-8") as page:
+                self.assertIn("Tight places", page.read())
         many = jalon.gauge_sweep(gauge, [pose_at(x) for x in range(4)], cloud, margin_m=0.5)
         self.assertEqual(len(many.intervals), 3)
         as_model = jalon.gauge_sweep_model(cube(1, (-0.5, -0.5, -0.5)), [pose_at(0), pose_at(10)], cloud, margin_m=0.5)

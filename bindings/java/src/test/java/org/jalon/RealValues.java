@@ -60,6 +60,7 @@ final class RealValues {
       Map.entry("Cloud.writeDepthMap.path", "depth.png"), Map.entry("Sections.write.path", "sections.dxf"), Map.entry("Comparer.readM3c2File.path", "m3c2.txt"),
       Map.entry("Segmentation.writePrimitives.path", "primitives.txt"), Map.entry("Jalon.reportWriteHtml.path", "report.html"),
       Map.entry("Jalon.reportWriteJson.path", "report.json"), Map.entry("Jalon.reportWriteComparison.path", "comparison.html"),
+      Map.entry("Jalon.reportWriteClearance.path", "clearance.html"),
       Map.entry("Jalon.reportWriteRegistration.path", "registration.html"),
       Map.entry("Jalon.reportWriteOrthoimage.path", "orthoimage.png"),
       Map.entry("Jalon.reportWriteAdjustment.path", "adjustment.html"),
