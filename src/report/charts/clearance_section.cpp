@@ -17,7 +17,7 @@ namespace jalon {
 namespace {
 
 // Of the drawing, in millimetres.
-constexpr double kCutLeft = 15, kCutTop = 15, kCutBelow = 12, kCutRight = 6, kCutMost = 110,
+constexpr double kCutLeft = 15, kCutTop = 15, kCutBelow = 12, kCutRight = 6, kCutMost = 130,
                  kCutText = 2.6;
 constexpr double kCutAir_m = 1;      ///< around the gauge and the place
 constexpr size_t kCutPoints = 6000;  ///< at most so many are drawn, evenly taken
@@ -163,7 +163,7 @@ std::string clearance_section(const TightPlace& place, size_t number, const Gaug
   const Outlines outlines = outlines_of(gauge, path.section_of_gauge(place.parameter));
   const CutWindow window = window_of(outlines, place);
   Sheet sheet;
-  constexpr double kHeadWidth = 74;  // mm that the lines above take
+  constexpr double kHeadWidth = 86;  // mm that the lines above take
   sheet.width = std::max(window.right(), kHeadWidth) + kCutRight;
   sheet.height = window.bottom() + kCutBelow;
   SvgWriter svg;
