@@ -96,7 +96,8 @@ NULLABLE = {
     "jalon_cloud_depth_map.columns",
 }
 # Places where a name of NULLABLE may not be NULL.
-NOT_NULLABLE = {"jalon_model_clearance_to_model.other", "jalon_scanner_add_station.pose"}
+NOT_NULLABLE = {"jalon_report_write_clearance.places", "jalon_report_write_clearance.intervals",
+                "jalon_model_clearance_to_model.other", "jalon_scanner_add_station.pose"}
 # Parameters of which the headers leave it open: with NULL the call succeeds or is refused.
 OPEN = {
     "inside", "crs", "jalon_comparison_outlines.reverse_points",
