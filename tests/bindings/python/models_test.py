@@ -180,7 +180,7 @@ class Models(unittest.TestCase):
             self.assertEqual(intervals["near"].tolist(), [2])
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "clearance.html")
-            jalon.report_write_clearance(gauge, forms[0], path, *results[0], cloud)
+            jalon.report_write_clearance(*results[0], gauge, forms[0], path, cloud)
             with open(path, encoding="utf-8") as page:
                 self.assertIn("Tight places", page.read())
         many = jalon.gauge_sweep(gauge, [pose_at(x) for x in range(4)], cloud, margin_m=0.5)
