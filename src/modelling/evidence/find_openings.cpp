@@ -39,8 +39,9 @@ constexpr double kSeenBlocks = 0.3;
 constexpr double kEmptyMost_m = 5, kEmptyMost_m2 = 8;
 constexpr double kDoorStep_m =
     0.5;  // an empty place this near to the wall's foot: leaves of doors are always seen
-constexpr double kDeepShare = 0.3;  // what lies far behind may have been seen beside the opening
-constexpr double kBordered = 0.95;  // of an empty one's border
+// What lies far behind may have been seen beside the opening: from below, past a balcony that hides the wall over it.
+constexpr double kDeepShare = 0.3, kOneJamb = 0.4;
+constexpr double kBordered = 0.95;      // of an empty one's border
 constexpr double kLeastBordered = 0.2;  // of any: nothing of the wall is about what lies beside it
 constexpr double kHiddenMost = 0.25;    // of its cells: rays to the rest went astray
 constexpr double kMostSlender =
@@ -186,13 +187,22 @@ double seen_blocks(const WallCells& cells, const OpeningShape& shape) {
   return count(sees) / std::max(1.0, count(has));
 }
 
+// Whether a place of which nothing near the wall was seen is a recess: it has a jamb at least. A level strip is what
+// something hides; an upright one has the wall all along both sides.
+bool is_recess(const OpeningCandidate& c) {
+  if (c.inside.share(WallState::kDeep) < kDeepShare) return false;
+  const RingBox box = c.shape.box();
+  if (box.width() > kMostSlender * box.height()) return false;
+  return c.jambs >= (box.height() > kMostSlender * box.width() ? kBordered : kOneJamb);
+}
+
 // Steps 3 and 4.
 bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
   if (std::max(c.bordered, c.framed) < kLeastBordered) return false;
   if (c.inside.of(WallState::kThrough) >= kThroughCells && seen_blocks >= kSeenBlocks &&
       c.inside.share(WallState::kThrough) >= kThroughShare)
     return true;
-  if (c.inside.share(WallState::kDeep) >= kDeepShare) return true;
+  if (is_recess(c)) return true;
   const RingBox box = c.shape.box();
   if (box.low.v <= foot_v + kDoorStep_m) return false;
   if (std::max(box.width(), box.height()) > kEmptyMost_m ||

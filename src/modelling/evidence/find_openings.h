@@ -62,7 +62,8 @@ OpeningCandidate looked_at(const WallCells& cells, const OpeningShape& shape);
 /// 2. About each the shape that explains the cells best (shape_fit.h).
 /// 3. Of shapes that lie over each other one stays: an opening before what is not known, then the better one; lights of
 ///    one window become one (joined_lights.h).
-/// 4. Seen through, or empty with the wall measured all round it: an opening; the others are not known.
+/// 4. Seen through, deep with a jamb and no level strip, or empty with the wall measured all round it: an opening; the
+/// others are not known.
 ///
 /// After: from left to right; shapes do not overlap by more than a fifth.
 std::vector<OpeningCandidate> find_openings(const WallCells& cells, const OpeningSearch& setting,

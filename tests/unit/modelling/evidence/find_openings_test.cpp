@@ -123,6 +123,22 @@ TEST_CASE("find_openings__a_gateway_without_a_point_is_not_known_and_one_that_is
   check_box(found[0], 4, 0, 3, 3);
 }
 
+TEST_CASE("find_openings__what_lies_deep_behind_a_strip_was_seen_beside_it") {
+  // Over a balcony along the wall, and over a canopy: rooms were seen from below, past what hides the wall.
+  CHECK(PaintedWall().with(0, 3, 12, 0.5, WallState::kDeep).openings().empty());
+  CHECK(PaintedWall().with(3, 3, 4, 0.5, WallState::kDeep).openings().empty());
+  // Beside a pier of which only the upper half was seen.
+  CHECK(PaintedWall()
+            .with(4, 0, 0.6, 5, WallState::kDeep)
+            .with(1, 0, 3, 2.5, WallState::kHidden)
+            .openings()
+            .empty());
+  // A loggia is as deep, and is no strip.
+  const OpeningList found = PaintedWall().with(4, 2, 2.4, 2.4, WallState::kDeep).openings();
+  REQUIRE(found.size() == 1);
+  check_box(found[0], 4, 2, 2.4, 2.4);
+}
+
 TEST_CASE("find_openings__what_wall_does_not_surround_needs_to_be_seen_through") {
   // Empty, with something before the wall to its left.
   CHECK(PaintedWall()
