@@ -195,7 +195,8 @@ JALON_API JALON_CHECK jalon_status jalon_registration_pose(const jalon_registrat
  *     sigma0         float64  1     a posteriori: residuals over what the planes' scatter foretells
  *     patches        uint64   -     of both clouds that the pose settled on; 0 = it rests on pairs
  *     redundancy     float64  -     pairs less unknowns
- *     thinning_cell  float64  m     edge of the cubes thinned to a point; 0 = all points were used
+ *     thinning_cell  float64  m     edge of the cubes thinned to a point, of the least where points lie in lines;
+ *                                   0 = all points were used
  * and of the verdict; NaN where not measured:
  *     column                  type     unit  meaning
  *     near_moving             float64  1     of the moving surface, share within reach (four
