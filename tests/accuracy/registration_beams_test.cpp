@@ -24,10 +24,11 @@ constexpr double kFound_m = 0.1;
 
 struct Tally {
   int begun_near = 0, found = 0, accepted = 0;
+  int open = 0;  ///< begun near and not found: the result names directions that are not fixed
   int wrong = 0, wrong_accepted = 0;
 
   Tally& operator+=(const Tally& b) {
-    begun_near += b.begun_near, found += b.found, accepted += b.accepted;
+    begun_near += b.begun_near, found += b.found, accepted += b.accepted, open += b.open;
     wrong += b.wrong, wrong_accepted += b.wrong_accepted;
     return *this;
   }
@@ -49,7 +50,9 @@ Tally trial(const PairKind& kind, const BeamHead& head, uint64_t seed) {
                      start_near(truth, reference, scene, seed, 0.15, {0, 0, turn_rad}), {}, task);
     const bool is_found = &of == &scene && greatest_miss_m(r.pose, truth, *moving.cloud) < kFound_m;
     const bool is_accepted = r.judgement.verdict == Verdict::kAccepted;
-    out.begun_near += &of == &scene && turn_rad == 0;
+    const bool is_near = &of == &scene && turn_rad == 0;
+    out.begun_near += is_near;
+    out.open += is_near && !is_found && r.unobservable > 0;
     (is_found ? out.found : out.wrong) += 1;
     (is_found ? out.accepted : out.wrong_accepted) += is_accepted;
   };
@@ -69,21 +72,22 @@ Tally tally_of(std::span<const PairKind> kinds, std::span<const BeamHead> heads,
         of_kind += trial(kind, head, seed);
       MESSAGE("FIGURE beams, " << std::string(what) << ", " << std::string(head.name) << ", "
                                << std::string(kind.name) << ": found " << of_kind.found << " of "
-                               << of_kind.begun_near << " begun near, accepted " << of_kind.accepted
-                               << "; of " << of_kind.wrong << " wrong poses accepted "
-                               << of_kind.wrong_accepted);
+                               << of_kind.begun_near << " begun near, left open " << of_kind.open
+                               << ", accepted " << of_kind.accepted << "; of " << of_kind.wrong
+                               << " wrong poses accepted " << of_kind.wrong_accepted);
       all += of_kind;
     }
   MESSAGE("FIGURE beams, " << std::string(what) << ", all: found " << all.found << " of "
-                           << all.begun_near << " begun near, accepted " << all.accepted << "; of "
-                           << all.wrong << " wrong poses accepted " << all.wrong_accepted);
+                           << all.begun_near << " begun near, left open " << all.open
+                           << ", accepted " << all.accepted << "; of " << all.wrong
+                           << " wrong poses accepted " << all.wrong_accepted);
   return all;
 }
 
 void check(const Tally& all) {
-  // Rooms of which a head sees the walls alone leave heights open: nine in ten are found.
-  CHECK(all.found >= 0.9 * all.begun_near);
-  CHECK(all.accepted >= 0.7 * all.found);
+  // Where a head sees the walls alone the height stays open; the cautious verdict accepts what is plain.
+  CHECK(all.found >= 0.9 * (all.begun_near - all.open));
+  CHECK(all.accepted >= 0.5 * all.found);
   CHECK(all.wrong_accepted <= 0.03 * all.wrong + 3 * std::sqrt(0.03 * all.wrong));
 }
 

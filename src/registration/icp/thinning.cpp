@@ -25,7 +25,9 @@ constexpr double kMostPlaneNoise = 0.4;
 constexpr double kCubeNoises = 2;  // edge of cubes whose neighbours span a plane in spite of it
 constexpr double kWiden = std::numbers::sqrt2;
 constexpr int kMostWidenings = 7;
-constexpr size_t kLeastLeft = 1000;  // points that thinning must leave
+// Cubes of a whole scene that thinning must leave. With fewer they are as wide as the rooms are: walls that face each
+// other pass for one surface.
+constexpr size_t kLeastLeft = 1000;
 constexpr size_t kTimesNeighbours =
     4;  // cubes: with fewer the neighbours of one are most of the scene
 
@@ -98,7 +100,7 @@ ThinnedCloud widened(Cloud cubes, double edge_m, uint32_t k, size_t raw_size, Ta
     }
     edge_m *= 2;
     Cloud wider = one_per_voxel(cubes, edge_m, Keep::kCentroid, task);
-    if (wider.size() < kTimesNeighbours * k) break;
+    if (wider.size() < kLeastLeft) break;
     cubes = std::move(wider);
   }
   if (kept.size() < kLeastLeft) return as_thinned(first);

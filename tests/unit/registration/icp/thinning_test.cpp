@@ -124,7 +124,7 @@ TEST_CASE(
   const auto tree = few.cloud->octree(task);
   for (size_t i = 0; i < few.cloud->size(); ++i) {
     const Vec3 at = few.cloud->point(i);
-    far += std::hypot(at.x, at.y) > 15;
+    far += std::hypot(at.x, at.y) > 8;
     tree->knn(at, 16, found);
     Moments moments;
     moments.reference = at;
