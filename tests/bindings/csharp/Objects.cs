@@ -63,7 +63,8 @@ static class Objects {
     if (type == typeof(Params)) return name == "self" ? new NormalsOptions() : null;
     if (type == typeof(Comparison)) return name == "reverse" ? Survey.Reverse : Survey.Forward;
     if (type == typeof(Fields)) {
-      return name == "changes" ? Survey.Diagnosis.Changes : name == "forwardPoints" ? Survey.Diagnosis.Forward
+      return name == "places" ? Survey.Swept.Places : name == "intervals" ? Survey.Swept.Intervals
+          : name == "changes" ? Survey.Diagnosis.Changes : name == "forwardPoints" ? Survey.Diagnosis.Forward
           : name == "reversePoints" ? Survey.Diagnosis.Reverse : Survey.Scan.GetFields();
     }
     if (type == typeof(Segmentation)) return Survey.Planes;

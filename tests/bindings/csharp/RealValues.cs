@@ -19,7 +19,7 @@ static class RealValues {
       {"referenceRings", new[] {4}}, {"automaticXyz", corners}, {"referenceXyz", corners}, {"rangesM", three},
       {"verticalRad", new[] {0, 0.1, 0.2}}, {"incidenceRad", new[] {0, 0.1, 0.2}}, {"measuredM", new[] {10.01, 20.01, 30.02}},
       {"knownM", three}, {"wavelengthsM", new double[] {100, 10, 1}}, {"remaindersM", new[] {37.25, 7.25, 0.25}},
-      {"poses", new double[] {1, 0, 0, 2, 0, 1, 0, -2, 0, 0, 1, 2, 1, 0, 0, 20, 0, 1, 0, -2, 0, 0, 1, 2}},
+      {"poses", Survey.Poses},
       {"indices", new[] {0, 1, 2, 3, 40, 50, 60, 70}}, {"seeds", new[] {0, 1}}, {"box", new double[,] {{-5, -10, -1}, {12, 10, 20}}},
       {"size", new double[] {1, 2, 3}}, {"foot", new double[] {5, 0, -1}}, {"top", new double[] {5, 0, 20}},
       {"timesS", three}, {"thetasRad", new double[] {0.1, 2, 3}}, {"phisRad", new double[] {1.5, 1.6, 1.7}},

@@ -9,6 +9,7 @@ using Jalon;
 /// <summary>A small survey: a scene, two scans of it, what is made of them. Real data for every call.</summary>
 static class Survey {
   public static readonly double[] Ball = {3, 4, 5};  // its radius is 0.0725 m
+  public static readonly double[] Poses = {1, 0, 0, 2, 0, 1, 0, -2, 0, 0, 1, 2, 1, 0, 0, 20, 0, 1, 0, -2, 0, 0, 1, 2};  // of a gauge, two
   public static readonly double[,] Identity = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}};
 
   public static readonly double[,] Path3 = {{0, 0, 2}, {50, 0, 2}, {100, 10, 2}};
@@ -26,6 +27,7 @@ static class Survey {
   public static readonly SceneDriveScenarioResult Driven = DrivenStreet();  // a short drive, its cloud and strips
   public static readonly Adjustment Adjusted = Driven.Trajectory.Adjust(Driven.Cloud, Driven.Model, new AdjustOptions { Covariance = true });
   public static readonly ComparisonDiagnoseResult Diagnosis;
+  public static readonly GaugeSweepResult Swept;
   public static readonly double[] OnWall;  // a point of the largest plane
   public static readonly long Copy;        // the part of Repeated that completes a pattern
 
@@ -40,6 +42,7 @@ static class Survey {
     Registered = new Registrar("targets").RunTargets(Targets(), Targets());
     Law = NoiseLaw.Fit(Scan, "deviation");
     Diagnosis = Forward.Diagnose(Reverse);
+    Swept = Library.GaugeSweep(Gauge(), Poses, Scan);
     int first = Array.IndexOf(Planes.GetPoints().Doubles("label"), 1.0);
     OnWall = Enumerable.Range(0, 3).Select(c => Scan.GetPoints()[first, c]).ToArray();
     Repeated = SeenPastAScreen();

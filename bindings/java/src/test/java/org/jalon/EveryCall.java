@@ -202,7 +202,8 @@ final class EveryCall {
     } else if (type == Comparison.class) {
       return name.equals("reverse") ? survey.reverse : survey.comparison;
     } else if (type == Fields.class) {
-      return name.equals("changes") ? survey.changes : name.equals("forward_points") ? survey.forwardPoints
+      return name.equals("places") ? survey.swept.places() : name.equals("intervals") ? survey.swept.intervals()
+          : name.equals("changes") ? survey.changes : name.equals("forward_points") ? survey.forwardPoints
           : name.equals("reverse_points") ? survey.reversePoints : survey.scan.fields();
     } else if (type == java.util.List.class) {
       return Survey.clouds();

@@ -32,7 +32,7 @@ final class RealValues {
       Map.entry("vertical_rad", new double[] {0, 0.1, 0.2}), Map.entry("incidence_rad", new double[] {0, 0.1, 0.2}),
       Map.entry("measured_m", new double[] {10.01, 20.01, 30.02}), Map.entry("known_m", THREE),
       Map.entry("wavelengths_m", new double[] {100, 10, 1}), Map.entry("remainders_m", new double[] {37.25, 7.25, 0.25}),
-      Map.entry("poses", new double[] {1, 0, 0, 2, 0, 1, 0, -2, 0, 0, 1, 2, 1, 0, 0, 20, 0, 1, 0, -2, 0, 0, 1, 2}),
+      Map.entry("poses", Survey.POSES),
       Map.entry("indices", new double[] {0, 1, 2, 3, 40, 50, 60, 70}), Map.entry("seeds", new double[] {0, 1}),
       Map.entry("box", new double[] {-5, -10, -1, 12, 10, 20}), Map.entry("edges", new double[] {1, 2, 3}),
       Map.entry("foot", new double[] {5, 0, -1}), Map.entry("top", new double[] {5, 0, 20}), Map.entry("direction", new double[] {0, 0, 1}),

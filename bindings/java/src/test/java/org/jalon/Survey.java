@@ -12,6 +12,7 @@ import java.util.List;
 final class Survey {
   static final double[] IDENTITY = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
   static final double[] BALL = {3, 4, 5}; // its radius is 0.0725 m
+  static final double[] POSES = {1, 0, 0, 2, 0, 1, 0, -2, 0, 0, 1, 2, 1, 0, 0, 20, 0, 1, 0, -2, 0, 0, 1, 2}; // of a gauge, two
 
   static final double[] DRIVE = {0, 0, 2, 50, 0, 2, 100, 10, 2};
   static final double[] SIGMAS = {0.02, 0.02, 0.03, 0.02, 0.02, 0.03, 0.05, 0.06, 0.07};
@@ -38,6 +39,7 @@ final class Survey {
   final Fields forwardPoints;
   final Fields reversePoints;
   final Fields changes;
+  final GaugeSweepResult swept;
 
   private Survey() {
     try {
@@ -67,6 +69,7 @@ final class Survey {
     forwardPoints = diagnosis.forward();
     reversePoints = diagnosis.reverse();
     changes = diagnosis.changes();
+    swept = Jalon.gaugeSweep(gauge(), POSES, scan);
     scan.write(path("scan.las"));
     drive().write(path("drive.txt"));
     model.write(path("model.obj"));
