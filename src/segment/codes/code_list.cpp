@@ -3,6 +3,7 @@
 #include "segment/codes/code_list.h"
 
 #include <cmath>
+#include <map>
 
 #include "base/error.h"
 #include "base/text_number.h"
@@ -42,6 +43,43 @@ bool read_place(const std::vector<std::string_view>& columns, Vec3& place) {
   return is_finite(place);
 }
 
+// A heading names its columns: none of the three begins as a number does. A first point that cannot be read is none, or
+// it would be lost unsaid.
+bool is_heading(const std::vector<std::string_view>& columns) {
+  for (size_t axis = 1; axis <= 3; ++axis)
+    if (!columns[axis].empty() &&
+        std::string_view("0123456789+-.,").find(columns[axis].front()) != std::string_view::npos)
+      return false;
+  return true;
+}
+
+bool has_decimal_comma(const std::vector<std::string_view>& columns) {
+  for (size_t axis = 1; axis <= 3; ++axis)
+    if (columns[axis].find(',') != std::string_view::npos) return true;
+  return false;
+}
+
+// Lines by the id of their point: one that comes again is a slip, but for one place with another code.
+class SeenIds {
+ public:
+  void add(const CodedPoint& point, std::string_view codes, CodeList& list) {
+    const auto [first, is_new] = first_.try_emplace(point.id, Line{point, codes});
+    if (is_new) return;
+    const Line& before = first->second;
+    if (before.point.position == point.position && before.codes != codes) return;
+    list.warnings.push_back(
+        {point.line, "point " + point.id,
+         "its id stands in line " + std::to_string(before.point.line) + " already: both are used"});
+  }
+
+ private:
+  struct Line {
+    CodedPoint point;
+    std::string_view codes;
+  };
+  std::map<std::string, Line> first_;
+};
+
 // The codes of one line: each known one a point more, each other one a warning.
 void add_codes(std::string_view text, const CodedPoint& bare, const CodeTable& table,
                CodeList& list) {
@@ -61,6 +99,7 @@ void add_codes(std::string_view text, const CodedPoint& bare, const CodeTable& t
 
 CodeList read_code_list(std::string_view text, const CodeTable& table) {
   CodeList list;
+  SeenIds seen;
   bool first_line = true;
   size_t number = 0;
   for (const std::string_view raw : parts_of(text, '\n')) {
@@ -77,10 +116,12 @@ CodeList read_code_list(std::string_view text, const CodeTable& table) {
            columns.size());
     point.id = columns[0];
     if (!read_place(columns, point.position)) {
-      if (may_be_heading) continue;
-      fail(Status::kFormat, "code list, line %zu: X, Y and Z of point %s are not three numbers",
-           number, point.id.c_str());
+      if (may_be_heading && is_heading(columns)) continue;
+      fail(Status::kFormat, "code list, line %zu: X, Y and Z of point %s are not three numbers%s",
+           number, point.id.c_str(),
+           has_decimal_comma(columns) ? "; decimals stand behind a point, not a comma" : "");
     }
+    seen.add(point, columns[4], list);
     add_codes(columns[4], point, table, list);
   }
   return list;

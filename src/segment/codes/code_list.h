@@ -33,7 +33,8 @@ struct CodeList {
 
 /// Reads lines "ID;X;Y;Z;code" (or with tabs), where a code is "sequence" or "sequence.modifier" and several codes of a
 /// point stand with the table's separator between them. Blank lines and those that begin with # are passed over, a
-/// first line without numbers is a heading. Codes that the table lacks, or that are no numbers, are warnings;
+/// first line without numbers is a heading. Codes that the table lacks, or that are no numbers, are warnings, and so is
+/// an id that comes again, unless at the same place with another code;
 /// Error(kFormat) names the line whose coordinates are no numbers.
 CodeList read_code_list(std::string_view text, const CodeTable& table);
 

@@ -75,3 +75,24 @@ TEST_CASE("code_list__a_line_that_cannot_be_read_is_named") {
   refused("1;0;0;0;360\n2;0;x;0;360", "line 2");
   refused("1;0;0;0;360\n2;0;nan;0;360", "line 2");
 }
+
+TEST_CASE("code_list__a_first_point_that_cannot_be_read_is_no_heading") {
+  for (const char* first : {"1;1,5;2,5;3,5;360", "1;nan;2;3;360", "1;;2;3;360"})
+    CHECK_THROWS_WITH_AS(read(std::string(first) + "\n2;4;5;6;360"),
+                         doctest::Contains("line 1: X, Y and Z of point 1"), Error);
+  CHECK(read("ID;X [m];Y [m];Z [m];code\n2;4;5;6;360").points.size() == 1);
+}
+
+TEST_CASE("code_list__a_decimal_comma_is_told") {
+  CHECK_THROWS_WITH_AS(read("1;1,5;2,5;3,5;360"), doctest::Contains("not a comma"), Error);
+}
+
+TEST_CASE("code_list__an_id_that_comes_again_is_a_warning_that_names_both_lines") {
+  const CodeList list = read("1;0;0;0;360\n1;0;0;0;360\n1;9;0;0;361\n1;0;0;0;361");
+  CHECK(list.points.size() == 4);
+  REQUIRE(list.warnings.size() == 2);
+  CHECK(list.warnings[0].line == 2);
+  CHECK(list.warnings[0].object == "point 1");
+  CHECK(list.warnings[0].text.find("line 1") != std::string::npos);
+  CHECK(list.warnings[1].line == 3);
+}
