@@ -28,7 +28,7 @@ constexpr auto kClearanceReportRows =
                      "Margin of the sweep: the dashed line, and the ends of the colours"),
                  number_row<&ClearanceReportSettings::apart_m>(
                      "apart_m", 0, 1e6, "m", "",
-                     "One tight place stands for all obstacles nearer to it than this"),
+                     "One tight place stands for all obstacles within this distance of it"),
                  integer_row<&ClearanceReportSettings::sections>(
                      "sections", 0, 40, "1", "", "Sections, at the tightest places"),
                  integer_row<&ClearanceReportSettings::viewer_points>(
