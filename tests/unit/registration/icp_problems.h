@@ -99,4 +99,15 @@ inline std::vector<Vec3> noisy_sheet(const Vec3& corner, const Vec3& u, const Ve
   return out;
 }
 
+/// Lines along x on the floor, this far apart, points every 2 cm along them with 2 mm of noise.
+inline std::vector<Vec3> floor_of_lines(double apart_m, int lines, int points) {
+  RandomStream random(131, 0);
+  std::vector<Vec3> out;
+  for (int i = 0; i < lines; ++i)
+    for (int k = 0; k < points; ++k)
+      out.push_back({0.02 * (k + random.uniform()), apart_m * i + 0.002 * random.normal(),
+                     0.002 * random.normal()});
+  return out;
+}
+
 }  // namespace jalon::test

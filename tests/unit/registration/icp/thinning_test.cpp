@@ -14,23 +14,12 @@
 
 #include "geometry/plane.h"
 #include "registration/icp/thinning.h"
-#include "unit/cloud/clouds.h"
+#include "unit/registration/icp_problems.h"
 
 using namespace jalon;
 using namespace jalon::test;
 
 namespace {
-
-// Lines along x on the floor, this far apart, points every 2 cm along them.
-std::vector<Vec3> floor_of_lines(double apart_m, int lines, int points) {
-  RandomStream random(131, 0);
-  std::vector<Vec3> out;
-  for (int i = 0; i < lines; ++i)
-    for (int k = 0; k < points; ++k)
-      out.push_back({0.02 * (k + random.uniform()), apart_m * i + 0.002 * random.normal(),
-                     0.002 * random.normal()});
-  return out;
-}
 
 double cell_of(const std::vector<Vec3>& a, const std::vector<Vec3>& b,
                const IcpSettings& settings = {}) {

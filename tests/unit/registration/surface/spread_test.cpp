@@ -16,17 +16,6 @@ using namespace jalon::test;
 
 namespace {
 
-// Lines along x, this far apart, points every 2 cm along them with 2 mm of noise.
-std::vector<Vec3> spread_floor(double apart_m, int lines, int points) {
-  RandomStream random(17, 0);
-  std::vector<Vec3> out;
-  for (int i = 0; i < lines; ++i)
-    for (int k = 0; k < points; ++k)
-      out.push_back({0.02 * (k + random.uniform()), apart_m * i + 0.002 * random.normal(),
-                     0.002 * random.normal()});
-  return out;
-}
-
 PointSpread spread(const std::vector<Vec3>& points) {
   Task task;
   return spread_of(*cloud_of(points).octree(task), 16, task);
@@ -35,8 +24,8 @@ PointSpread spread(const std::vector<Vec3>& points) {
 }  // namespace
 
 TEST_CASE("spread_of__tells_lines_from_even_points_whatever_way_these_are_drawn") {
-  CHECK(spread(spread_floor(0.02, 60, 60)).in_lines < 0.02);
-  CHECK(spread(spread_floor(0.4, 30, 300)).in_lines > 0.98);
+  CHECK(spread(floor_of_lines(0.02, 60, 60)).in_lines < 0.02);
+  CHECK(spread(floor_of_lines(0.4, 30, 300)).in_lines > 0.98);
   RandomStream random(18, 0);
   std::vector<Vec3> drawn;
   for (int i = 0; i < 4000; ++i) drawn.push_back({2 * random.uniform(), 2 * random.uniform(), 0});
@@ -55,7 +44,7 @@ TEST_CASE("spread_of__measures_extents_and_the_noise_of_a_sheet") {
 }
 
 TEST_CASE("spread_of__counts_marks_of_no_return_and_leaves_them_out") {
-  std::vector<Vec3> points = spread_floor(0.02, 60, 60);
+  std::vector<Vec3> points = floor_of_lines(0.02, 60, 60);
   points.insert(points.end(), 1200, Vec3{5, 5, 5});
   const PointSpread s = spread(points);
   CHECK(s.in_one_place == doctest::Approx(0.25).scale(0).epsilon(0.1));
@@ -66,9 +55,9 @@ TEST_CASE("spread_of__counts_marks_of_no_return_and_leaves_them_out") {
 }
 
 TEST_CASE("points_in_lines__are_those_of_the_lines_beside_an_even_floor_for_any_threads") {
-  std::vector<Vec3> points = spread_floor(0.02, 60, 60);
+  std::vector<Vec3> points = floor_of_lines(0.02, 60, 60);
   const size_t even = points.size();
-  for (const Vec3& p : spread_floor(0.4, 20, 200)) points.push_back(p + Vec3{20, 0, 0});
+  for (const Vec3& p : floor_of_lines(0.4, 20, 200)) points.push_back(p + Vec3{20, 0, 0});
   const Cloud cloud = cloud_of(points);
   Task task, seven(Task::Hooks{.threads = 7});
   const auto tree = cloud.octree(task);
