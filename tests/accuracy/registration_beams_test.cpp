@@ -23,12 +23,14 @@ constexpr size_t kLeastPoints = 5000;  // of a turn; with fewer the scene is a t
 constexpr double kFound_m = 0.1;
 
 struct Tally {
-  int begun_near = 0, found = 0, accepted = 0;
+  int begun_near = 0, found = 0;
   int open = 0;  ///< begun near and not found: the result names directions that are not fixed
+  int right = 0, accepted = 0;  ///< poses, wherever they were begun
   int wrong = 0, wrong_accepted = 0;
 
   Tally& operator+=(const Tally& b) {
-    begun_near += b.begun_near, found += b.found, accepted += b.accepted, open += b.open;
+    begun_near += b.begun_near, found += b.found, open += b.open;
+    right += b.right, accepted += b.accepted;
     wrong += b.wrong, wrong_accepted += b.wrong_accepted;
     return *this;
   }
@@ -48,18 +50,26 @@ Tally trial(const PairKind& kind, const BeamHead& head, uint64_t seed) {
     const Registration r =
         register_icp(reference.cloud, moving.cloud,
                      start_near(truth, reference, scene, seed, 0.15, {0, 0, turn_rad}), {}, task);
-    const bool is_found = &of == &scene && greatest_miss_m(r.pose, truth, *moving.cloud) < kFound_m;
+    const bool is_right = &of == &scene && greatest_miss_m(r.pose, truth, *moving.cloud) < kFound_m;
     const bool is_accepted = r.judgement.verdict == Verdict::kAccepted;
     const bool is_near = &of == &scene && turn_rad == 0;
     out.begun_near += is_near;
-    out.open += is_near && !is_found && r.unobservable > 0;
-    (is_found ? out.found : out.wrong) += 1;
-    (is_found ? out.accepted : out.wrong_accepted) += is_accepted;
+    out.found += is_near && is_right;
+    out.open += is_near && !is_right && r.unobservable > 0;
+    (is_right ? out.right : out.wrong) += 1;
+    (is_right ? out.accepted : out.wrong_accepted) += is_accepted;
   };
   lay(scene, 1 + seed % 2, 0);
   lay(scene, 1 + seed % 2, std::numbers::pi / 2);
   lay(other, 1, 0);
   return out;
+}
+
+void tell(const char* what, const std::string& of, const Tally& t) {
+  MESSAGE("FIGURE beams, " << std::string(what) << ", " << of << ": found " << t.found << " of "
+                           << t.begun_near << " begun near, left open " << t.open << "; accepted "
+                           << t.accepted << " of " << t.right << " right poses, "
+                           << t.wrong_accepted << " of " << t.wrong << " wrong ones");
 }
 
 Tally tally_of(std::span<const PairKind> kinds, std::span<const BeamHead> heads,
@@ -70,25 +80,19 @@ Tally tally_of(std::span<const PairKind> kinds, std::span<const BeamHead> heads,
       Tally of_kind;
       for (uint64_t seed = first_seed; seed < first_seed + seeds; ++seed)
         of_kind += trial(kind, head, seed);
-      MESSAGE("FIGURE beams, " << std::string(what) << ", " << std::string(head.name) << ", "
-                               << std::string(kind.name) << ": found " << of_kind.found << " of "
-                               << of_kind.begun_near << " begun near, left open " << of_kind.open
-                               << ", accepted " << of_kind.accepted << "; of " << of_kind.wrong
-                               << " wrong poses accepted " << of_kind.wrong_accepted);
+      tell(what, std::string(head.name) + ", " + kind.name, of_kind);
       all += of_kind;
     }
-  MESSAGE("FIGURE beams, " << std::string(what) << ", all: found " << all.found << " of "
-                           << all.begun_near << " begun near, left open " << all.open
-                           << ", accepted " << all.accepted << "; of " << all.wrong
-                           << " wrong poses accepted " << all.wrong_accepted);
+  tell(what, "all", all);
   return all;
 }
 
 void check(const Tally& all) {
-  // Where a head sees the walls alone the height stays open; the cautious verdict accepts what is plain.
+  // Where a head sees the walls alone the height stays open.
   CHECK(all.found >= 0.9 * (all.begun_near - all.open));
-  CHECK(all.accepted >= 0.6 * all.found - 3 * std::sqrt(0.6 * 0.4 * all.found));
-  CHECK(all.wrong_accepted <= 0.03 * all.wrong + 3 * std::sqrt(0.03 * all.wrong));
+  CHECK(all.wrong_accepted <= 0.01 * all.wrong + 3 * std::sqrt(0.01 * all.wrong));
+  // The cautious verdict accepts what is plain: a share, that a few draws cannot show.
+  if (is_full()) CHECK(all.accepted >= 0.5 * all.right);
 }
 
 }  // namespace

@@ -66,11 +66,12 @@ double first_distance(const IcpClouds& clouds, const IcpLevel& level,
 
 // Step 1: from the raw clouds to surfaces.
 IcpProblem problem_of(const CloudPtr& reference, const CloudPtr& moving,
-                      const IcpSettings& settings, const ThinningCells& cells, Task& task) {
+                      const IcpSettings& settings, Task& task) {
   IcpProblem out;
   out.settings = settings;
-  out.thinned_reference = thinned(reference, cells, settings.k, task);
-  out.thinned_moving = thinned(moving, cells, settings.k, task);
+  out.cells = thinning_cells(*reference, *moving, settings, task);
+  out.thinned_reference = thinned(reference, out.cells, settings.k, task);
+  out.thinned_moving = thinned(moving, out.cells, settings.k, task);
   const Cloud &few_reference = *out.thinned_reference.cloud,
               &few_moving = *out.thinned_moving.cloud;
   if (few_reference.size() < kIcpLeastPoints || few_moving.size() < kIcpLeastPoints)
@@ -79,7 +80,6 @@ IcpProblem problem_of(const CloudPtr& reference, const CloudPtr& moving,
          few_reference.size(), few_moving.size(), kIcpLeastPoints);
   out.clouds.reference = surface_planes(few_reference.octree(task), settings.k, task);
   out.clouds.moving = surface_planes(few_moving.octree(task), settings.k, task);
-  out.is_of_lines = cells.do_widen;
   return out;
 }
 
@@ -112,7 +112,6 @@ std::span<const ParamRow> icp_rows() { return kIcpRows; }
 
 Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
                           const Transform& T_start, const IcpSettings& settings, Task& task) {
-  ThinningCells cells;
   if (reference->size() < kIcpLeastPoints || moving->size() < kIcpLeastPoints)
     fail(Status::kInsufficientData, "%zu and %zu points; a registration needs %zu in each cloud",
          reference->size(), moving->size(), kIcpLeastPoints);
@@ -121,8 +120,7 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
   IcpProblem problem;
   {
     ProgressSpan span(task, 0, 0.5, "local planes");
-    cells = thinning_cells(*reference, *moving, settings, task);
-    problem = problem_of(reference, moving, settings, cells, task);
+    problem = problem_of(reference, moving, settings, task);
   }
   IcpState state;
   state.T_reference_moving = problem.clouds.to_local(T_start);
@@ -142,7 +140,7 @@ Registration register_icp(const CloudPtr& reference, const CloudPtr& moving,
   add_value<double>(
       out.summary, "thinning_cell", "m",
       "edge of the cubes thinned to a point, of the least where points lie in lines; 0: none",
-      cells.edge_m);
+      problem.cells.edge_m);
   icp_judge(judged, state, better_m, out, task);
   return out;
 }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/icp/iterations.h"
+#include "registration/quantile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,14 +30,6 @@ constexpr double kMostLengthening = 1.5;
 constexpr double kRounding = 1e-13;   // of the extent: a step that rounding makes
 constexpr uint64_t kLeastPairs = 12;  // two for each unknown
 
-double quantile_of(std::vector<float>& values, double share) {
-  for (float& v : values) v = std::fabs(v);
-  const auto at =
-      values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 PairRule rule_of(const IcpSettings& settings, const IcpLevel& level, double most_m) {
   return {settings.metric, most_m, level.reference.reach_m, settings.least_cosine(),
           static_cast<double>(settings.k)};
@@ -55,6 +48,7 @@ Scale measure_scale(const IcpProblem& problem, const IcpLevel& level, IcpState& 
   std::vector<float> residuals = icp_residual_sample(
       {problem.clouds, level, state.last.neighbours, rule, state.T_reference_moving});
   if (residuals.empty()) return {};
+  for (float& v : residuals) v = std::fabs(v);
   state.sigma_m = std::max(kLeastSigma_m, kMadToSigma * quantile_of(residuals, 0.5));
   if (!(settings.trim() > 0)) return {residuals.size(), rule.most_m};
   return {residuals.size(), std::min(rule.most_m, quantile_of(residuals, 1 - settings.trim()))};

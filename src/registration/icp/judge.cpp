@@ -41,7 +41,8 @@ IcpJudged icp_judged(const Cloud& reference, const Cloud& moving, const IcpProbl
   const IcpClouds& clouds = problem.clouds;
   IcpJudged out;
   const SurfacePlanes *of_reference = &clouds.reference, *of_moving = &clouds.moving;
-  if (problem.is_of_lines) {
+  const bool is_of_lines = problem.cells.do_widen;
+  if (is_of_lines) {
     const auto steady = [&](const SurfacePlanes& surface) {
       return std::make_unique<const SurfacePlanes>(
           steady_planes(surface, problem.settings.k, task));
@@ -49,8 +50,9 @@ IcpJudged icp_judged(const Cloud& reference, const Cloud& moving, const IcpProbl
     out.steady_reference = steady(clouds.reference), out.steady_moving = steady(clouds.moving);
     of_reference = out.steady_reference.get(), of_moving = out.steady_moving.get();
   }
-  out.reference = judged_cloud(reference, *of_reference, problem.thinned_reference.index, task);
-  out.moving = judged_cloud(moving, *of_moving, problem.thinned_moving.index, task);
+  out.reference =
+      judged_cloud(reference, *of_reference, problem.thinned_reference.index, task, is_of_lines);
+  out.moving = judged_cloud(moving, *of_moving, problem.thinned_moving.index, task, is_of_lines);
   out.reference.misfit_m = out.moving.misfit_m = misfit_m;
   return out;
 }

@@ -13,10 +13,10 @@ namespace jalon {
 struct IcpProblem {
   IcpSettings settings;
   ThinnedCloud thinned_reference, thinned_moving;
-  IcpClouds clouds;          ///< the surfaces of the thinned ones
-  bool is_of_lines = false;  ///< their points lay in lines
-  Vec3 centre;               ///< of the moving points, in the moving frame
-  double extent_m = 1;       ///< their radius of gyration: makes turns lengths; above 0
+  IcpClouds clouds;     ///< the surfaces of the thinned ones
+  ThinningCells cells;  ///< that both were thinned to
+  Vec3 centre;          ///< of the moving points, in the moving frame
+  double extent_m = 1;  ///< their radius of gyration: makes turns lengths; above 0
 
   IcpFrame frame(const Transform& T_reference_moving) const {
     return {T_reference_moving.point(centre), extent_m};

@@ -28,8 +28,6 @@ constexpr int kMostWidenings = 7;
 // Cubes of a whole scene that thinning must leave. With fewer they are as wide as the rooms are: walls that face each
 // other pass for one surface.
 constexpr size_t kLeastLeft = 1000;
-constexpr size_t kTimesNeighbours =
-    4;  // cubes: with fewer the neighbours of one are most of the scene
 
 bool is_crowded(const PointSpread& spread) {
   return spread.noise_m > kMostPlaneNoise * spread.radius_m;

@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "geometry/symmetric_eigen.h"
+#include "geometry/plane.h"
+#include "registration/quantile.h"
 
 namespace jalon {
 
@@ -21,13 +22,16 @@ constexpr uint32_t kMany = 4;  // times k neighbours, that noise is told by
 
 // The inverse of the dimension that the neighbours of a point spread over, by the ratios of their distances (Levina &
 // Bickel 2004, eq. 8; inverses are averaged: MacKay & Ghahramani 2005). Below 0: all in one place.
-double inverse_dimension(std::span<const float> squared) {
-  const double farthest = *std::max_element(squared.begin(), squared.end());
+template <class Squared>
+double inverse_dimension(size_t k, Squared squared) {
+  double farthest = 0;
+  for (size_t i = 0; i < k; ++i) farthest = std::max(farthest, double{squared(i)});
   double sum = 0;
   size_t count = 0;
-  for (const float s : squared) {
+  for (size_t i = 0; i < k; ++i) {
+    const double s = squared(i);
     if (!(s > kSamePlace * farthest) || !(s < farthest)) continue;
-    sum += 0.5 * std::log(farthest / double{s});
+    sum += 0.5 * std::log(farthest / s);
     ++count;
   }
   return count == 0 ? -1 : sum / static_cast<double>(count);
@@ -44,29 +48,11 @@ double mean_of(const std::vector<float>& inverse, std::span<const uint32_t> neig
   return count == 0 ? 0 : sum / static_cast<double>(count);
 }
 
-double quantile(std::vector<double>& values, double share) {
-  if (values.empty()) return 0;
-  const auto at =
-      values.begin() + static_cast<ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 Eigen3 extents_of(const Octree& tree, std::span<const Neighbour> neighbours) {
-  const Vec3 from = tree.local(neighbours[0].index);
-  Vec3 sum;
-  Symmetric3 products{};
-  for (const Neighbour& n : neighbours) {
-    const Vec3 d = tree.local(n.index) - from;
-    sum += d;
-    const double row[6] = {d.x * d.x, d.x * d.y, d.x * d.z, d.y * d.y, d.y * d.z, d.z * d.z};
-    for (size_t c = 0; c < 6; ++c) products[c] += row[c];
-  }
-  const auto count = static_cast<double>(neighbours.size());
-  const Vec3 m = sum / count;
-  const double mean[6] = {m.x * m.x, m.x * m.y, m.x * m.z, m.y * m.y, m.y * m.z, m.z * m.z};
-  for (size_t c = 0; c < 6; ++c) products[c] = products[c] / count - mean[c];
-  return symmetric_eigen(products);
+  Moments moments;
+  moments.reference = tree.local(neighbours[0].index);
+  for (const Neighbour& n : neighbours) moments.add(tree.local(n.index));
+  return symmetric_eigen(moments.covariance());
 }
 
 }  // namespace
@@ -77,18 +63,16 @@ PointSpread spread_of(const Octree& tree, uint32_t k, Task& task) {
   std::vector<Neighbour> found(of_many), theirs(of_few);
   std::vector<double> lengths, radii, noises;
   size_t looked_at = 0, in_lines = 0, in_one_place = 0;
-  std::vector<float> squared(of_few);
-  const auto inverse_at = [&](std::span<const Neighbour> neighbours) {
-    for (size_t i = 0; i < squared.size(); ++i)
-      squared[i] = static_cast<float>(neighbours[i].squared_distance);
-    return inverse_dimension(squared);
+  const auto inverse_at = [&](const std::vector<Neighbour>& neighbours) {
+    return inverse_dimension(of_few, [&](size_t i) { return neighbours[i].squared_distance; });
   };
   for (size_t position = 0; position < tree.size(); position += tree.size() / kSample + 1) {
     task.checkpoint(0);
     ++looked_at;
     tree.knn_positions(tree.cube().origin + tree.local(position), of_many, found);
     const auto few = std::span<const Neighbour>(found).first(of_few);
-    if (!(few.back().squared_distance > 0)) {
+    // All as far, by no more than places are rounded: the point itself is one of them.
+    if (few.back().squared_distance <= few.front().squared_distance) {
       ++in_one_place;
       continue;
     }
@@ -110,9 +94,9 @@ PointSpread spread_of(const Octree& tree, uint32_t k, Task& task) {
       static_cast<double>(in_one_place) / static_cast<double>(std::max<size_t>(1, looked_at));
   if (lengths.empty()) return out;
   out.in_lines = static_cast<double>(in_lines) / static_cast<double>(lengths.size());
-  out.length_m = quantile(lengths, 0.5);
-  out.radius_m = quantile(radii, 0.5);
-  out.noise_m = quantile(noises, 0.25);
+  out.length_m = quantile_of(lengths, 0.5);
+  out.radius_m = quantile_of(radii, 0.5);
+  out.noise_m = quantile_of(noises, 0.25);
   return out;
 }
 
@@ -122,7 +106,8 @@ std::vector<bool> points_in_lines(const Octree& tree, uint32_t k, Task& task) {
   std::vector<uint8_t> out(tree.size());
   tree.for_each_knn(used, task, [&](const Octree::Batch& b) {
     for (size_t i = 0; i < b.count; ++i)
-      inverse[b.first + i] = static_cast<float>(inverse_dimension({b.squared + i * b.k, b.k}));
+      inverse[b.first + i] = static_cast<float>(
+          inverse_dimension(b.k, [&](size_t j) { return b.squared[i * b.k + j]; }));
   });
   tree.for_each_knn(used, task, [&](const Octree::Batch& b) {
     for (size_t i = 0; i < b.count; ++i)

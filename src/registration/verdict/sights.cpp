@@ -111,11 +111,11 @@ void find_one(const Cloud& raw, JudgedCloud& out, Task& task) {
 }  // namespace
 
 JudgedCloud judged_cloud(const Cloud& raw, const SurfacePlanes& surface,
-                         std::span<const uint32_t> thinned_index, Task& task) {
+                         std::span<const uint32_t> thinned_index, Task& task, bool is_of_lines) {
   JudgedCloud out{&surface, sample_surface(surface, kSurfelCells, task), {}};
   use_known(raw, thinned_index, out, task);
   out.are_told = !out.sights.empty();
-  if (!out.are_told) find_one(raw, out, task);
+  if (!out.are_told && !is_of_lines) find_one(raw, out, task);
   return out;
 }
 

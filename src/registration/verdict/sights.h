@@ -26,9 +26,13 @@ struct JudgedCloud {
 /// be of one station, which is then found by the density of its points and believed when it could have seen all but a
 /// few of them.
 ///
+/// is_of_lines: of a spinning head. How dense its points lie tells where they were taken from along a line alone: no
+/// station is looked for.
+///
 /// thinned_index: where the surface is of a thinned cloud, of each of its points one of the raw ones; empty: it is of
 /// the raw cloud. The surface outlives the result.
 JudgedCloud judged_cloud(const Cloud& raw, const SurfacePlanes& surface,
-                         std::span<const uint32_t> thinned_index, Task& task);
+                         std::span<const uint32_t> thinned_index, Task& task,
+                         bool is_of_lines = false);
 
 }  // namespace jalon

@@ -6,17 +6,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "report/charts/column_vector.h"
 #include "solid/motion.h"
 
 namespace jalon {
-
-namespace {
-
-Vec3 row_vector(const Column& column, size_t row) {
-  return {column.number(row, 0), column.number(row, 1), column.number(row, 2)};
-}
-
-}  // namespace
 
 GaugePath::GaugePath(std::vector<Transform> poses) : poses_(std::move(poses)) {
   chainage_.push_back(0);
@@ -74,7 +67,7 @@ std::vector<TightPlace> tight_places(const FieldTable& places, const GaugePath& 
   std::vector<TightPlace> out;
   for (const size_t row : order) {
     if (out.size() == most) break;
-    const Vec3 at = row_vector(xyz, row);
+    const Vec3 at = vector_at(xyz, row);
     const auto is_near = [&](const TightPlace& other) {
       return norm(other.obstacle - at) < apart_m;
     };
@@ -88,7 +81,7 @@ std::vector<TightPlace> tight_places(const FieldTable& places, const GaugePath& 
     place.obstacle = at;
     const Transform section = path.section(place.parameter);
     place.in_section = section.point(at);
-    place.gauge_in_section = section.point(row_vector(foot, row));
+    place.gauge_in_section = section.point(vector_at(foot, row));
     out.push_back(place);
   }
   return out;

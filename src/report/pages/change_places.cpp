@@ -6,14 +6,11 @@
 #include <cmath>
 
 #include "compare/changes/changed_points.h"
+#include "report/charts/column_vector.h"
 
 namespace jalon {
 
 namespace {
-
-Vec3 vector_at(const Column& column, size_t row) {
-  return {column.number(row, 0), column.number(row, 1), column.number(row, 2)};
-}
 
 bool has_vectors(const Column* column) {
   return column != nullptr && column->info().components == 3;

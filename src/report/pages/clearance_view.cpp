@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/text_number.h"
+#include "report/pictures/deviation_colours.h"
 #include "report/viewer/channels.h"
 
 namespace jalon {
@@ -18,13 +19,6 @@ namespace {
 constexpr Rgb kInside{0x8e, 0x10, 0x1c}, kTouch{0xc0, 0x39, 0x2b}, kAtMargin{0xf6, 0xd2, 0x5a},
     kFree{0xb4, 0xb4, 0xb4};
 constexpr int kClearanceSteps = 32;
-
-Rgb between(const Rgb& a, const Rgb& b, double share) {
-  const auto mixed = [&](uint8_t from, uint8_t to) {
-    return static_cast<uint8_t>(std::lround(from + share * (to - from)));
-  };
-  return {mixed(a.red, b.red), mixed(a.green, b.green), mixed(a.blue, b.blue)};
-}
 
 // Clearance of each point of the cloud; NaN: beyond the margin.
 std::vector<double> clearance_of_points(const FieldTable& places, size_t points) {
@@ -46,8 +40,8 @@ ViewChannel clearance_channel(std::shared_ptr<const std::vector<double>> values,
   channel.high = margin_m > channel.low ? margin_m : channel.low + 1e-3;
   for (int step = 0; step < kClearanceSteps; ++step) {
     const double value = channel.low + (channel.high - channel.low) * step / (kClearanceSteps - 1);
-    channel.colours.push_back(value < 0 ? between(kTouch, kInside, value / channel.low)
-                                        : between(kTouch, kAtMargin, value / channel.high));
+    channel.colours.push_back(value < 0 ? mixed(kTouch, kInside, value / channel.low)
+                                        : mixed(kTouch, kAtMargin, value / channel.high));
   }
   channel.none = {{kFree, "beyond the margin"}, {kFree, ""}};
   channel.value = [values](size_t i) { return (*values)[i]; };

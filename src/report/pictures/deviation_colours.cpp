@@ -34,15 +34,17 @@ template <size_t N>
 Rgb between(const std::array<Rgb, N>& stops, double t) {
   const double at = t * static_cast<double>(N - 1);
   const size_t i = std::min(static_cast<size_t>(at), N - 2);
-  const double f = at - static_cast<double>(i);
-  const auto mix = [&](uint8_t a, uint8_t b) {
-    return static_cast<uint8_t>(std::lround(a + f * (b - a)));
-  };
-  return {mix(stops[i].red, stops[i + 1].red), mix(stops[i].green, stops[i + 1].green),
-          mix(stops[i].blue, stops[i + 1].blue)};
+  return mixed(stops[i], stops[i + 1], at - static_cast<double>(i));
 }
 
 }  // namespace
+
+Rgb mixed(const Rgb& a, const Rgb& b, double share) {
+  const auto of = [&](uint8_t from, uint8_t to) {
+    return static_cast<uint8_t>(std::lround(from + share * (to - from)));
+  };
+  return {of(a.red, b.red), of(a.green, b.green), of(a.blue, b.blue)};
+}
 
 Rgb DeviationScale::colour(uint32_t step) const {
   const double t = static_cast<double>(step) / (kSteps - 1);

@@ -24,6 +24,9 @@ struct DeviationScale {
   double lowest_m() const { return is_signed ? -limit_m : 0; }
 };
 
+/// share 0: a, 1: b; from 0 to 1.
+Rgb mixed(const Rgb& a, const Rgb& b, double share);
+
 constexpr Rgb kHiddenColour{0xf2, 0xa3, 0xd0}, kNotComparedColour{0xb4, 0xb4, 0xb4};
 
 /// For these comparisons together: 98 % of the sizes lie within, rounded up to 1, 2 or 5; limit_m above 0 is taken as

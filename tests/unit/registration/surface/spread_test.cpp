@@ -45,7 +45,8 @@ TEST_CASE("spread_of__measures_extents_and_the_noise_of_a_sheet") {
 
 TEST_CASE("spread_of__counts_marks_of_no_return_and_leaves_them_out") {
   std::vector<Vec3> points = floor_of_lines(0.02, 60, 60);
-  points.insert(points.end(), 1200, Vec3{5, 5, 5});
+  points.insert(points.end(), 1200,
+                Vec3{-3.1234567, 7.7654321, 1.0 / 3});  // between steps of the grid
   const PointSpread s = spread(points);
   CHECK(s.in_one_place == doctest::Approx(0.25).scale(0).epsilon(0.1));
   CHECK(s.in_lines < 0.02);
