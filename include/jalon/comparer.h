@@ -30,9 +30,9 @@ enum {
   JALON_TOO_FEW_POINTS = 5 /**< too few points around it for a value */
 };
 
-/** Why two clouds hardly share a place, as far as it shows. */
+/** Why two clouds hardly share a place, or less than they could, as far as it shows. */
 enum {
-  JALON_APART_UNKNOWN = 0, /**< nothing that is known brings them together, or they are not apart */
+  JALON_APART_UNKNOWN = 0, /**< nothing that is known brings them together, or they are together */
   JALON_APART_AXES = 1,    /**< axes swapped or turned round */
   JALON_APART_UNIT = 2,    /**< another unit of length */
   JALON_APART_ORIGIN = 3,  /**< the same extent elsewhere: another origin or CRS */
@@ -43,6 +43,8 @@ enum {
  * How much of two clouds lies at the same place, before they are compared, and why hardly any does. By cells of a
  * hundredth of the smaller cloud's diagonal, or as large as hold four points in the mean. Nothing is shared by, and no
  * gap told of, an empty cloud, which is not called apart. O(n) for the boxes, the rest by 50 000 points of each.
+ * Clouds about one origin share a place whatever their units and axes are: of those that are not apart a cause is told
+ * where it brings twice as many of their cells together and boxes of two sizes to one; so mirrored ones have none.
  *
  * One row:
  *     column           type         unit  meaning

@@ -25,6 +25,8 @@ write("hall.xyz", hall)
 write("hall_yx.xyz", [(y, x, z) for x, y, z in hall])
 write("hall_up.xyz", [(x, z, -y) for x, y, z in hall])
 write("hall_ft.xyz", [(x / 0.3048, y / 0.3048, z / 0.3048) for x, y, z in hall])
+write("inside.xyz", [(x - 32, y - 52, z - 3) for x, y, z in hall])
+write("inside_ft.xyz", [((x - 32) / 0.3048, (y - 52) / 0.3048, (z - 3) / 0.3048) for x, y, z in hall])
 write("hall_grid.xyz", [(652000 + x, 6862000 + y, z) for x, y, z in hall])
 open("hall_degrees.xyz", "w").write("".join("%.8f %.8f %.3f\n" % (2.35 + x / 73000, 48.86 + y / 111000, z) for x, y, z in hall))
 write("screen.xyz", [(33 + 14 * r.random(), 55, 4 + 2 * r.random()) for _ in range(2000)])
@@ -185,6 +187,7 @@ ends 5 'as if wall_mm.xyz were in millimetres' compare wall.obj wall_mm.xyz -o n
 ends 5 'degrees of longitude and latitude' compare hall_grid.xyz hall_degrees.xyz -o new
 ends 5 'share [0-9.]+ % of their space: they may have other units, axes or CRS' compare hall.xyz screen.xyz -o new
 lacks 'warning' compare hall.xyz hall_ft.xyz -o feet --compared-unit ft
+says 'warning: .*share .* of their space: .*as if inside_ft.xyz were in feet; --compared-unit' compare inside.xyz inside_ft.xyz -o inside
 says 'warning: .*lie 995.0 apart' compare wall.xyz far.xyz -o far --force
 
 # Units: metres where the file or an option says so, and no guess where nothing does.

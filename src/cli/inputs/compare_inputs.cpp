@@ -135,16 +135,18 @@ void refuse_apart(const Console& console, const Placed& reference, const Placed&
     return;  // the comparer refuses that
   Fields overlap;
   must(jalon_cloud_overlap(before.get(), after.get(), console.task(), Out(overlap)));
-  if (*values<uint8_t>(overlap, "apart") == 0) return;
+  const bool is_apart = *values<uint8_t>(overlap, "apart") != 0;
+  if (!is_apart && *values<uint8_t>(overlap, "cause") == JALON_APART_UNKNOWN) return;
   const double gap = *values<double>(overlap, "gap");
-  const double share = std::max(*values<double>(overlap, "reference_share"),
-                                *values<double>(overlap, "compared_share"));
+  const double of_before = *values<double>(overlap, "reference_share"),
+               of_after = *values<double>(overlap, "compared_share");
+  const double share = is_apart ? std::max(of_before, of_after) : std::min(of_before, of_after);
   const std::string line = reference.input.path + " (" + ranges_of(box_of(before)) + ") and " +
                            compared.input.path + " (" + ranges_of(box_of(after)) + ") " +
                            (gap > 0 ? "lie " + fixed(gap, 1) + " apart"
                                     : "share " + fixed(100 * share, 1) + " % of their space") +
                            ": " + cause_of(overlap, reference.input, compared.input);
-  if (!is_forced)
+  if (is_apart && !is_forced)
     throw Failure{JALON_ERROR_DEGENERATE, line + "; nothing is written, --force compares them"};
   console.warn(line);
 }

@@ -9,12 +9,15 @@ namespace jalon {
 
 namespace {
 
-constexpr double kMet = 0.5;         // of the moved cells meet the other's: no chance
+constexpr double kMet = 0.5;   // of the moved cells meet the other's: no chance
+constexpr double kBetter = 2;  // times as many as where they are: of clouds that share a place
 constexpr size_t kMostTried = 1000;  // cells of each candidate
 constexpr double kEdgeShare = 0.02;  // of the reference's diagonal: a candidate need not be exact
 constexpr double kAlike = 0.05;      // of the diagonal: extents of one place, seen from elsewhere
 // Metres in international and US survey feet, inches, centimetres, millimetres and kilometres.
 constexpr double kUnits[] = {0.3048, 1200.0 / 3937, 0.0254, 0.01, 0.001, 1000};
+// Extents of one place as two stations see it, and of what is no longer taken for that. Between them nothing is claimed.
+constexpr double kSameExtent = 0.9, kOtherExtent = 0.8;
 constexpr double kMostDegrees = 180, kDegreesExtent = 2, kLeastGrid = 1000;
 
 // Coordinates of the compared cloud as a candidate reads them.
@@ -62,10 +65,32 @@ std::vector<Axes> all_axes() {
   return out;
 }
 
-bool find_axes(const Candidates& candidates, Task& task, CloudsOverlap& overlap) {
-  double best = kMet;
+Vec3 size_with_axes(const Vec3& size, const Axes& axes) {
+  const Vec3 out = with_axes(size, axes);
+  return {std::abs(out.x), std::abs(out.y), std::abs(out.z)};
+}
+
+// What a cause must bring: so many of both clouds' cells that meet and, of clouds that share a place as they are, boxes
+// of one size. (Halves of a hall meet better when one is turned round: their size tells that this is no cause.)
+struct Asked {
+  Vec3 size{};
+  double met = kMet, extent = 0;
+  bool fits(const Vec3& other) const;
+};
+
+// 1 for boxes of one size, less the more their sides differ.
+double likeness(const Vec3& a, const Vec3& b) {
+  return 1 - norm(a - b) / std::max({norm(a), norm(b), 1e-300});
+}
+
+bool Asked::fits(const Vec3& other) const { return likeness(size, other) >= extent; }
+
+bool find_axes(const Candidates& candidates, const Asked& asked, const Vec3& other, Task& task,
+               CloudsOverlap& overlap) {
+  double best = asked.met;
   for (const Axes& axes : all_axes()) {
     task.checkpoint(0);
+    if (!asked.fits(size_with_axes(other, axes))) continue;
     const Axes back = inverse_of(axes);
     const double share = candidates.share([&](const Vec3& p) { return with_axes(p, axes); },
                                           [&](const Vec3& p) { return with_axes(p, back); });
@@ -92,23 +117,21 @@ bool find_factor(double least, F&& worth, CloudsOverlap& overlap) {
 }
 
 // Cells of the one unit are not those of the other: the points are read anew.
-bool find_unit(const ApartSides& sides, double edge, Task& task, CloudsOverlap& overlap) {
+bool find_unit(const ApartSides& sides, double edge, const Asked& asked, Task& task,
+               CloudsOverlap& overlap) {
   const OccupiedCells reference(sides.reference_points, edge);
+  const Vec3 other = sides.compared.max - sides.compared.min;
   return find_factor(
-      kMet,
+      asked.met,
       [&](double factor) {
         task.checkpoint(0);
+        if (!asked.fits(other * factor)) return 0.0;
         std::vector<Vec3> scaled = sides.compared_points;
         for (Vec3& p : scaled) p = p * factor;
         const OccupiedCells compared(scaled, edge);
         return std::min(compared.share_in(reference), reference.share_in(compared));
       },
       overlap);
-}
-
-// 1 for boxes of one size, less the more their sides differ.
-double likeness(const Vec3& a, const Vec3& b) {
-  return 1 - norm(a - b) / std::max({norm(a), norm(b), 1e-300});
 }
 
 bool is_in_degrees(const Box3& box, const Box3& other) {
@@ -124,8 +147,8 @@ bool is_in_degrees(const Box3& box, const Box3& other) {
 }  // namespace
 
 void find_cause(const ApartSides& sides, Task& task, CloudsOverlap& overlap) {
-  if (is_in_degrees(sides.reference, sides.compared) ||
-      is_in_degrees(sides.compared, sides.reference)) {
+  if (overlap.is_apart && (is_in_degrees(sides.reference, sides.compared) ||
+                           is_in_degrees(sides.compared, sides.reference))) {
     overlap.cause = ApartCause::kDegrees;
     return;
   }
@@ -133,8 +156,16 @@ void find_cause(const ApartSides& sides, Task& task, CloudsOverlap& overlap) {
              other = sides.compared.max - sides.compared.min;
   const double edge = kEdgeShare * norm(size);
   if (!(edge > 0) || !(norm(other) > 0)) return;
-  if (find_axes(Candidates(sides, edge), task, overlap)) return;
-  if (find_unit(sides, edge, task, overlap)) return;
+  if (!overlap.is_apart && likeness(size, other) > kOtherExtent) return;
+  const Candidates candidates(sides, edge);
+  Asked asked{size};
+  if (!overlap.is_apart) {
+    const auto as_it_is = [](const Vec3& p) { return p; };
+    asked.met = std::max(kMet, kBetter * candidates.share(as_it_is, as_it_is));
+    asked.extent = kSameExtent;
+  }
+  if (find_axes(candidates, asked, other, task, overlap)) return;
+  if (find_unit(sides, edge, asked, task, overlap) || !overlap.is_apart) return;
   if (likeness(size, other) >= 1 - kAlike) {
     overlap.cause = ApartCause::kOrigin;
     overlap.shift =

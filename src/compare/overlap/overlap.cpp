@@ -51,7 +51,7 @@ CloudsOverlap clouds_overlap(const Cloud& reference, const Cloud& compared, Task
   out.compared_share = b.share_in(a);
   out.gap_m = gap_between(sides.reference, sides.compared);
   out.is_apart = std::max(out.reference_share, out.compared_share) < kLeastShare;
-  if (out.is_apart) find_cause(sides, task, out);
+  find_cause(sides, task, out);
   return out;
 }
 

@@ -23,7 +23,8 @@ struct CloudsOverlap {
   double reference_share = 0,
          compared_share = 0;  ///< of its cells, at or beside cells of the other
   double gap_m = 0;           ///< between their boxes; 0 where those meet
-  bool is_apart = false;      ///< they hardly share a place; then the cause:
+  bool is_apart = false;      ///< they hardly share a place
+  /// Of that, or of their sharing less than other axes or another unit would make them.
   ApartCause cause = ApartCause::kUnknown;
   /// kAxes: which axis of the compared cloud, 1 ... 3, negative where turned round, is x, y, z of the reference.
   std::array<int8_t, 3> axes{1, 2, 3};

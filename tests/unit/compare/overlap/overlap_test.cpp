@@ -31,6 +31,7 @@ TEST_CASE("clouds_overlap__a_small_part_of_a_large_cloud_is_not_apart") {
     const CloudsOverlap found =
         clouds_overlap(is_reference ? small : large, is_reference ? large : small, task);
     CHECK_FALSE(found.is_apart);
+    CHECK(found.cause == ApartCause::kUnknown);
     CHECK((is_reference ? found.reference_share : found.compared_share) > 0.9);
   }
 }
