@@ -57,8 +57,9 @@ std::string Lengths::heading(const std::string& name, const char* unit, size_t w
 
 std::string Lengths::note() const {
   if (is_known()) return "";
+  const char* verb = options_.find(" and ") == std::string::npos ? " names them" : " name them";
   return "lengths are in the units of " + files_ + ", not named there and taken for metres" +
-         (options_.empty() ? "" : "; " + options_ + " names them");
+         (options_.empty() ? "" : "; " + options_ + verb);
 }
 
 std::string Lengths::in_report() const {

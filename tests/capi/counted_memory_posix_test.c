@@ -48,7 +48,7 @@ static uint64_t peak_of_normals(uint32_t threads) {
 }
 
 /* Each of seven threads gathers neighbours of its own: that is more than one thread does. On a busy machine one thread
- * may have done all before a second one wakes, so that there are several calls: memory which is not counted is never. */
+ * may have done all before a second one wakes: several calls are made. Memory that is not counted is in none. */
 static void memory__of_all_threads_of_a_call_is_counted(void** state) {
   (void)state;
   const uint64_t of_one = peak_of_normals(1);

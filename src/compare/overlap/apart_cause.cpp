@@ -16,7 +16,7 @@ constexpr double kEdgeShare = 0.02;  // of the reference's diagonal: a candidate
 constexpr double kAlike = 0.05;      // of the diagonal: extents of one place, seen from elsewhere
 // Metres in international and US survey feet, inches, centimetres, millimetres and kilometres.
 constexpr double kUnits[] = {0.3048, 1200.0 / 3937, 0.0254, 0.01, 0.001, 1000};
-// Extents of one place as two stations see it, and of what is no longer taken for that. Between them nothing is claimed.
+// Extents of one place as two stations see it, and of what is no longer taken for that; between them no claim.
 constexpr double kSameExtent = 0.9, kOtherExtent = 0.8;
 constexpr double kMostDegrees = 180, kDegreesExtent = 2, kLeastGrid = 1000;
 
