@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/icp/iterations.h"
-#include "registration/quantile.h"
+#include "spatial/quantile.h"
 
 #include <algorithm>
 #include <cmath>

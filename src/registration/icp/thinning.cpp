@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "cloud/subsample_cells.h"
-#include "registration/surface/spread.h"
+#include "cloud/spread.h"
 
 namespace jalon {
 

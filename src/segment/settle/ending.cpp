@@ -13,6 +13,7 @@
 #include "segment/settle/assignment.h"
 #include "segment/settle/each_surface.h"
 #include "segment/settle/global_planarity.h"
+#include "segment/settle/planes_of_lines.h"
 #include "segment/settle/splitting.h"
 #include "segment/settle/surface_fit.h"
 #include "segment/surface/primitive_fits.h"
@@ -127,6 +128,7 @@ void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task&
 
 void share_out_points(SegmentScene& scene, std::vector<Surface>& surfaces, Assignment& assignment,
                       Task& task) {
+  drop_planes_of_lines(scene, surfaces, task);
   if (!scene.settings.reassign) return;
   const auto settle = [&] {
     for (int round = 0; round < kAssignmentRounds; ++round) {

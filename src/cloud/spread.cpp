@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "registration/surface/spread.h"
+#include "cloud/spread.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/plane.h"
-#include "registration/quantile.h"
+#include "spatial/quantile.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr size_t kSample = 1000;  // neighbourhoods looked at: a share of so many is sure to 2 %
+constexpr size_t kPlacesLookedAt =
+    1000;  // neighbourhoods looked at: a share of so many is sure to 2 %
 // Of dimensions: points of a line have one, those drawn over a surface two, in grids somewhat more. Between them there
 // is little: once the neighbours reach the next line they count as spread over both ways.
 constexpr double kLineDimension = 1.6;
@@ -57,16 +58,28 @@ Eigen3 extents_of(const Octree& tree, std::span<const Neighbour> neighbours) {
 
 }  // namespace
 
+bool lies_in_line(const Octree& tree, std::span<const Neighbour> neighbours,
+                  std::vector<Neighbour>& theirs) {
+  const auto k = static_cast<uint32_t>(neighbours.size());
+  theirs.resize(k);
+  double sum = 0, count = 0;
+  for (const Neighbour& n : neighbours) {
+    tree.knn_positions(tree.cube().origin + tree.local(n.index), k, theirs);
+    const double inverse =
+        inverse_dimension(k, [&](size_t i) { return theirs[i].squared_distance; });
+    if (inverse < 0) continue;
+    sum += inverse, count += 1;
+  }
+  return sum > count / kLineDimension;
+}
+
 PointSpread spread_of(const Octree& tree, uint32_t k, Task& task) {
   const auto of_few = static_cast<uint32_t>(std::min<size_t>(k, tree.size()));
   const auto of_many = static_cast<uint32_t>(std::min<size_t>(size_t{kMany} * k, tree.size()));
-  std::vector<Neighbour> found(of_many), theirs(of_few);
+  std::vector<Neighbour> found(of_many), theirs;
   std::vector<double> lengths, radii, noises;
   size_t looked_at = 0, in_lines = 0, in_one_place = 0;
-  const auto inverse_at = [&](const std::vector<Neighbour>& neighbours) {
-    return inverse_dimension(of_few, [&](size_t i) { return neighbours[i].squared_distance; });
-  };
-  for (size_t position = 0; position < tree.size(); position += tree.size() / kSample + 1) {
+  for (size_t position = 0; position < tree.size(); position += tree.size() / kPlacesLookedAt + 1) {
     task.checkpoint(0);
     ++looked_at;
     tree.knn_positions(tree.cube().origin + tree.local(position), of_many, found);
@@ -76,14 +89,7 @@ PointSpread spread_of(const Octree& tree, uint32_t k, Task& task) {
       ++in_one_place;
       continue;
     }
-    double sum = 0, count = 0;
-    for (const Neighbour& n : few) {
-      tree.knn_positions(tree.cube().origin + tree.local(n.index), of_few, theirs);
-      const double inverse = inverse_at(theirs);
-      if (inverse < 0) continue;
-      sum += inverse, count += 1;
-    }
-    in_lines += sum > count / kLineDimension;
+    in_lines += lies_in_line(tree, few, theirs);
     const Eigen3 near = extents_of(tree, few), wide = extents_of(tree, found);
     lengths.push_back(std::sqrt(std::max(0.0, near.values[2])));
     radii.push_back(std::sqrt(std::max(0.0, near.values[1] + near.values[2])));

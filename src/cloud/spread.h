@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/task.h"
@@ -19,11 +20,14 @@ struct PointSpread {
   double noise_m =
       0;  ///< of many neighbours from their plane: where the surface is plainest, lower quartile
 };
+/// Whether a point lies in a line of points: its neighbours' neighbours, as many of each, spread over less than
+/// kLineDimension dimensions. neighbours: by positions, of knn_positions(). theirs: room for these.
+bool lies_in_line(const Octree& tree, std::span<const Neighbour> neighbours,
+                  std::vector<Neighbour>& theirs);
 /// By some thousand neighbourhoods of k points. O(log n).
 PointSpread spread_of(const Octree& tree, uint32_t k, Task& task);
 
-/// Whether each point lies in a line of points, in the tree's order: its neighbours and theirs spread over less than
-/// kLineDimension dimensions. O(n k).
+/// lies_in_line() of each point, in the tree's order. O(n k).
 std::vector<bool> points_in_lines(const Octree& tree, uint32_t k, Task& task);
 
 }  // namespace jalon

@@ -3,7 +3,7 @@
 
 // Dimensions that points spread over, of floors of even points, of lines and of heaps.
 
-#include "registration/surface/spread.h"
+#include "cloud/spread.h"
 
 #include <doctest/doctest.h>
 
