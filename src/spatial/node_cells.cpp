@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "base/serial.h"
+#include "spatial/radix_sort.h"
 
 namespace jalon {
 
@@ -14,6 +15,7 @@ namespace {
 
 // Places so far away share a cell: doubles tell no neighbours apart there, and whole numbers have an end.
 constexpr double kFarthestCell = 0x1p60;
+constexpr size_t kMostInCache = 1 << 16;  // cells that are sorted by their digits: 1.5 MiB
 
 int64_t cell_number(double place_m, double cell_m) {
   return static_cast<int64_t>(
@@ -41,13 +43,35 @@ NodeCell cell_at(const Vec2& p, double cell_m) {
   return {cell_number(p.u, cell_m), cell_number(p.v, cell_m)};
 }
 
-// Where all fits, cell and index are sorted as one number.
+namespace {
+
+// By column, then by row, each counted from the box's first.
+std::vector<uint32_t> order_of_few(std::span<const NodeCell> cells, const CellBox& box,
+                                   int row_bits) {
+  const size_t n = cells.size();
+  std::vector<uint64_t> keys(2 * n);
+  std::vector<uint32_t> order(2 * n);
+  for (size_t i = 0; i < n; ++i) {
+    const auto column = static_cast<uint64_t>(cells[i].column - box.low.column);
+    keys[i] = column << row_bits | static_cast<uint64_t>(cells[i].row - box.low.row);
+    order[i] = static_cast<uint32_t>(i);
+  }
+  sort_pairs({keys.data(), order.data()}, {keys.data() + n, order.data() + n}, n);
+  order.resize(n);
+  return order;
+}
+
+}  // namespace
+
+// Few by their digits; where all fits, cell and index are sorted as one number.
 std::vector<uint32_t> order_of_cells(std::span<const NodeCell> cells, Task& task) {
-  std::vector<uint32_t> order(cells.size());
   const CellBox box(cells);
   const auto row_bits = static_cast<int>(std::bit_width(box.rows())),
+             cell_bits = static_cast<int>(std::bit_width(box.columns())) + row_bits,
              index_bits = static_cast<int>(std::bit_width(cells.size()));
-  if (static_cast<int>(std::bit_width(box.columns())) + row_bits + index_bits <= 64) {
+  if (cells.size() <= kMostInCache && cell_bits <= 64) return order_of_few(cells, box, row_bits);
+  std::vector<uint32_t> order(cells.size());
+  if (cell_bits + index_bits <= 64) {
     std::vector<uint64_t> keys(cells.size());
     for (size_t i = 0; i < cells.size(); ++i) {
       const auto column = static_cast<uint64_t>(cells[i].column - box.low.column);

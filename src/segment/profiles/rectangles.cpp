@@ -30,21 +30,20 @@ Run run_of(const ProfileLine& line) {
   return {line.from, line.to, d * (1 / length), length};
 }
 
-// Distance at which b runs beside a; infinite where it does not.
-double beside(const Run& a, const Run& b, const RectangleRule& rule, double sine) {
+// Distance at which b runs beside a, at most `most`; infinite where it does not. What most lines fail is asked first.
+double beside(const Run& a, const Run& b, double most, double sine) {
   const Vec2 &da = a.direction, &db = b.direction;
-  if (std::fabs(da.u * db.v - da.v * db.u) > sine) return INFINITY;
+  const auto across = [&](const Vec2& p) {
+    return (p.v - a.from.v) * da.u - (p.u - a.from.u) * da.v;
+  };
+  const double off = std::fabs(across(b.from) + across(b.to)) / 2;
+  if (!(off <= most) || std::fabs(da.u * db.v - da.v * db.u) > sine) return INFINITY;
   const auto along = [&](const Vec2& p) {
     return (p.u - a.from.u) * da.u + (p.v - a.from.v) * da.v;
   };
   const double b0 = std::min(along(b.from), along(b.to)), b1 = std::max(along(b.from), along(b.to));
   const double from = std::max(0.0, b0), to = std::min(a.length_m, b1);
-  if (to - from < kLeastOverlap * std::min(a.length_m, b.length_m)) return INFINITY;
-  const auto across = [&](const Vec2& p) {
-    return (p.v - a.from.v) * da.u - (p.u - a.from.u) * da.v;
-  };
-  const double off = std::fabs(across(b.from) + across(b.to)) / 2;
-  return off <= kSteepestOffset * rule.step_m ? off : INFINITY;
+  return to - from < kLeastOverlap * std::min(a.length_m, b.length_m) ? INFINITY : off;
 }
 
 struct LineRange {
@@ -54,10 +53,10 @@ struct LineRange {
 uint32_t nearest_beside(std::span<const Run> runs, uint32_t line, const LineRange& range,
                         const RectangleRule& rule, double sine) {
   uint32_t best = kNoLine;
-  double least = INFINITY;
+  double least = kSteepestOffset * rule.step_m;
   for (uint32_t other = range.begin; other < range.end; ++other) {
-    const double off = beside(runs[line], runs[other], rule, sine);
-    if (off < least) {
+    const double off = beside(runs[line], runs[other], least, sine);
+    if (off < least || (off == least && best == kNoLine)) {
       least = off;
       best = other;
     }
