@@ -63,3 +63,20 @@ TEST_CASE("wall_fronts__the_same_bits_for_any_number_of_threads") {
   };
   CHECK(with(1) == with(4));
 }
+
+TEST_CASE("wall_fronts__a_part_of_many_points_tells_the_same_sides") {
+  constexpr size_t kMany = (1 << 20) + 1;  // more than are looked at
+  MadeWalls m = street_of(-1);
+  const size_t own = m.points.size();
+  for (size_t i = 0; m.points.size() < kMany; ++i) {
+    m.points.push_back(m.points[i % own]);
+    m.labels.push_back(m.labels[i % own]);
+  }
+  Task task;
+  const std::vector<WallFront> fronts = wall_fronts(m.made(), {}, m.labels, m.segments, task);
+  REQUIRE(fronts.size() == 2);
+  for (const WallFront& front : fronts) {
+    CHECK(!front.is_before());
+    CHECK(front.confidence() > 0.99);
+  }
+}
