@@ -73,8 +73,14 @@ enum {
  *    With "sigma_ground_m" the drive's heights are adjusted as well, after the loop and apart: in each interval between
  *    control times by the median of the points under the vehicle (within 3.5 m of it in plan) below the model's faces
  *    of class "ground"; the ground's errors are a chain along the way ("ground_correlation_m").
- *    From the sixth pass on a point whose match still changes is left out, so that passes do not go to and fro
- *    between two answers.
+ * 5. Where all has settled, with "exchange", "kernel" = tukey and "matches" = rays, explanations of the walls by the
+ *    facades are compared as a whole (joint compatibility: Neira & Tardos 2001): a facade that is off by metres may
+ *    have met the wall of a parallel neighbour, which no point is left for. What explains the points better by a clear
+ *    margin (20 times as likely) is taken and the passes go on, three times at most; where no margin is clear the
+ *    facades that claim one wall are not adjusted.
+ *
+ * From the sixth pass on a point whose match still changes is left out, so that passes do not go to and fro
+ * between two answers.
  *
  * Same bits whatever the threads. Not converged is a result that says so. O(points log strips) a pass, and linear in
  * strips and control times.

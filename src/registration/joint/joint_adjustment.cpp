@@ -18,6 +18,7 @@
 #include "registration/joint/strip_conditions.h"
 #include "registration/joint/strip_search.h"
 #include "registration/joint/strip_weights.h"
+#include "registration/joint/wall_claims.h"
 #include "registration/solvers/set_back.h"
 
 namespace jalon {
@@ -79,6 +80,7 @@ class JointLoop {
     for (int64_t pass = 0; pass < settings_.most_passes && !made_.converged; ++pass) {
       task_.checkpoint(static_cast<double>(pass) / static_cast<double>(settings_.most_passes));
       step();
+      if (made_.converged && is_exchange_wanted()) exchange();
     }
     finish();
     return std::move(made_);
@@ -165,7 +167,7 @@ class JointLoop {
   // Strips that hide each other by turns would go to and fro for ever; those points are no evidence of either.
   void leave_unsteady_out(std::vector<PointMatch>& matches) {
     constexpr size_t kLatePass = 5;  // most draws of the scenarios have settled by then
-    if (made_.passes.size() < kLatePass) return;
+    if (made_.passes.size() < begun_ + kLatePass) return;
     for (size_t i = 0; i < matches.size(); ++i) {
       const bool was_out = made_.matches[i].state == MatchState::kUnsteady;
       if (was_out || !(matches[i] == made_.matches[i]))
@@ -178,6 +180,35 @@ class JointLoop {
     if (is_doubtful_.empty()) return;
     for (size_t i = 0; i < matches.size(); ++i)
       if (matches[i].strip != kNoStrip && is_doubtful_[matches[i].strip]) made_.weights[i] = 0;
+  }
+
+  bool is_exchange_wanted() const {
+    constexpr size_t kMostExchanges = 3;
+    return settings_.exchange && settings_.kernel != JointSettings::Kernel::kNone &&
+           settings_.matches == JointSettings::Matches::kRays && exchanges_ < kMostExchanges &&
+           is_facade_exchange_wanted(settings_);
+  }
+
+  // Where all is settled: facades that stand on the wall of another go elsewhere, and the loop goes on from there.
+  void exchange() {
+    ++exchanges_;
+    const FacadeExchange found = exchange_facades(
+        wall_claims({points(), scene_, places_, made_.matches, made_.weights}, settings_, task_),
+        scene_.facades);
+    if (found.moves.empty() && found.doubtful.empty()) return;
+    if (is_doubtful_.empty()) is_doubtful_.assign(scene_.strips.size(), false);
+    std::vector<bool> is_moved(scene_.facades, false), is_doubtful(scene_.facades, false);
+    for (const FacadeExchange::Move& move : found.moves) {
+      places_.model.facades[move.facade] = move.offset_m;
+      is_moved[move.facade] = true;
+    }
+    for (const uint32_t facade : found.doubtful) is_doubtful[facade] = true;
+    for (size_t s = 0; s < scene_.strips.size(); ++s) {
+      if (is_moved[scene_.strips[s].facade]) places_.model.strips[s] = 0;
+      if (is_doubtful[scene_.strips[s].facade]) is_doubtful_[s] = true;
+    }
+    begun_ = made_.passes.size();
+    made_.converged = false;
   }
 
   JointSolution solve(JointWanted wanted) {
@@ -306,7 +337,8 @@ class JointLoop {
   JointProblem problem_;
   StripConditions conditions_;
   JointPlaces places_;
-  std::vector<bool> is_doubtful_;  ///< of the strips; empty where they were not looked for
+  std::vector<bool> is_doubtful_;     ///< of the strips; empty where they were not looked for
+  size_t exchanges_ = 0, begun_ = 0;  ///< of facades; the pass that the last of them led to
   Vec3 attitude_rad_;        ///< turns about the vehicle's axes, where the last pass left them
   JointPoints turned_;       ///< the points by them; empty where attitudes stay
   std::vector<double> xyz_;  ///< of points()

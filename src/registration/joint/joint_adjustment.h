@@ -74,7 +74,8 @@ using JointAdjustmentPtr = std::shared_ptr<const JointAdjustment>;
 constexpr double kHeldShare = 0.01;
 
 /// The loop of Monnier (2014): match, adjust, move; the prior stays the one given. It ends when no match changes,
-/// when nothing moves by more than tolerance_m, or after most_passes. Then, with sigma_ground_m, the heights by the
+/// when nothing moves by more than tolerance_m, or after most_passes; once it has settled, facades that stand on the
+/// wall of another change places (facade_exchange.h), and it goes on. Then, with sigma_ground_m, the heights by the
 /// ground. model: of strips.
 JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud, const Trajectory& trajectory,
                                const JointSettings& settings, Task& task);

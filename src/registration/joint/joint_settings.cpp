@@ -83,6 +83,10 @@ constexpr auto kJointRows = setting_rows(
         "kernel", "tukey|none", "",
         "Points off the median of their strip count less, and strips that contradict "
         "the others (tukey); or all alike (none)."),
+    bool_row<&S::exchange>("exchange", "",
+                           "A facade that stands on the wall of another makes room for it, and "
+                           "where nothing tells whose wall it is neither is adjusted (kernel "
+                           "tukey, matches by rays)."),
     integer_row<&S::most_passes>("most_passes", 1, 1000, "", "", "Greatest number of passes."),
     number_row<&S::tolerance_m>("tolerance_m", 0, 1, "m", "",
                                 "A pass that moves nothing by a greater distance is the last; so "

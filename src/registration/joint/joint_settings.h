@@ -29,6 +29,7 @@ struct JointSettings {
   uint64_t least_points = 5;
   double sigma_point_m = 0.005;
   enum class Kernel { kTukey, kNone } kernel = Kernel::kTukey;
+  bool exchange = true;
   int64_t most_passes = 20;
   double tolerance_m = 0.001;
   bool covariance = false;

@@ -4,20 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/parallel.h"
+#include "registration/joint/point_cells.h"
 #include "registration/joint/ray_matching.h"
+#include "registration/joint/strip_extents.h"
 #include "registration/joint/strip_surfaces.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kCell_m = 2;  // about a strip's width
-// Beams that go through a strip and end so much farther behind it than its points may still tell that they do.
-constexpr double kBehind_m = 20;
-constexpr double kParallel = 0.94;  // 20 degrees
 // Difference of chi-squares from which one of two strips is the wall: 20 times as likely.
 constexpr double kClear = 6;
 
@@ -30,71 +27,10 @@ double sure_part_m(const JointPoints& points, const JointSettings& settings) {
   return std::sqrt(plus_squares(variance, settings.sigma_block_y_m));
 }
 
-// Points by cells of the plan.
-class PlanCells {
- public:
-  explicit PlanCells(const std::vector<Vec3>& at) {
-    for (uint32_t i = 0; i < at.size(); ++i)
-      cells_.push_back({cell_of(at[i].x), cell_of(at[i].y), i});
-    std::sort(cells_.begin(), cells_.end());
-  }
-  template <class F>
-  void each(const Vec2& low, const Vec2& high, F&& f) const {
-    for (int64_t x = cell_of(low.u); x <= cell_of(high.u); ++x) {
-      const Entry first{x, cell_of(low.v), 0};
-      for (auto at = std::lower_bound(cells_.begin(), cells_.end(), first);
-           at != cells_.end() && at->x == x && at->y <= cell_of(high.v); ++at)
-        f(at->point);
-    }
-  }
-
- private:
-  struct Entry {
-    int64_t x = 0, y = 0;
-    uint32_t point = 0;
-    auto operator<=>(const Entry&) const = default;
-  };
-  static int64_t cell_of(double v) { return static_cast<int64_t>(std::floor(v / kCell_m)); }
-  std::vector<Entry> cells_;
-};
-
-// A strip's rectangle: along its wall and up.
-struct Extent {
-  double from = std::numeric_limits<double>::infinity(), to = -from, bottom = from, top = -from;
-};
-
-Vec2 along(const GivenStrip& strip) { return {-strip.normal.v, strip.normal.u}; }
-
-std::vector<Extent> extents_of(const StripScene& scene) {
-  std::vector<Extent> made(scene.strips.size());
-  for (size_t t = 0; t < scene.face_of.size(); ++t) {
-    const uint32_t s = scene.strip_of_face[scene.face_of[t]];
-    if (s == kNoStrip) continue;
-    for (size_t k = 0; k < 3; ++k) {
-      const Vec3& c = scene.corners[3 * t + k];
-      const double h = dot(along(scene.strips[s]), {c.x, c.y});
-      made[s].from = std::min(made[s].from, h), made[s].to = std::max(made[s].to, h);
-      made[s].bottom = std::min(made[s].bottom, c.z), made[s].top = std::max(made[s].top, c.z);
-    }
-  }
-  return made;
-}
-
-std::vector<Vec3> middles_of(const StripScene& scene, const std::vector<Extent>& extents) {
-  std::vector<Vec3> made;
-  for (size_t s = 0; s < extents.size(); ++s) {
-    const GivenStrip& strip = scene.strips[s];
-    const bool has_face = extents[s].from < extents[s].to;
-    const double place = has_face ? (extents[s].from + extents[s].to) / 2 : 0;
-    const Vec2 at = strip.normal * strip.offset_m + along(strip) * place;
-    made.push_back({at.u, at.v, 0});
-  }
-  return made;
-}
-double widest_of(const std::vector<Extent>& extents) {
+double widest_of(const std::vector<StripExtent>& extents) {
   double widest = 0;
-  for (const Extent& e : extents)
-    if (e.from < e.to) widest = std::max(widest, e.to - e.from);
+  for (const StripExtent& e : extents)
+    if (!e.is_empty()) widest = std::max(widest, e.to - e.from);
   return widest;
 }
 
@@ -126,8 +62,8 @@ class StripSearch {
         scene_(scene),
         settings_(settings),
         cells_(points.at),
-        extents_(extents_of(scene)),
-        middles_(middles_of(scene, extents_)),
+        extents_(strip_extents(scene)),
+        middles_(strip_middles(scene, extents_)),
         widest_m_(widest_of(extents_)),
         middle_cells_(middles_),
         reach_m_(greatest_deviation(settings) * settings.sigma_strip_m),
@@ -135,7 +71,7 @@ class StripSearch {
 
   /// The points of the strip's wall, from front to back; none where too few are seen.
   std::vector<MetPoint> wall_of(uint32_t s) const {
-    if (!(extents_[s].from < extents_[s].to)) return {};
+    if (extents_[s].is_empty()) return {};
     std::vector<MetPoint> wall = points_of_wall(before_and_behind(s));
     if (wall.size() < settings_.least_points) wall.clear();
     return wall;
@@ -154,7 +90,7 @@ class StripSearch {
  private:
   std::vector<MetPoint> before_and_behind(uint32_t s) const {
     const GivenStrip& strip = scene_.strips[s];
-    const Extent& extent = extents_[s];
+    const StripExtent& extent = extents_[s];
     const Vec2 n = strip.normal, h = along(strip);
     std::vector<MetPoint> made;
     Box3 box;
@@ -173,8 +109,7 @@ class StripSearch {
       const double back = is_near ? 0 : off / level;
       const double place = h.u * (p.x - back * way.x) + h.v * (p.y - back * way.y);
       const double height = p.z - back * way.z;
-      if (place < extent.from || place > extent.to || height < extent.bottom || height > extent.top)
-        return;
+      if (!extent.contains(place, height)) return;
       const bool is_aligned =
           points_.normal.empty() || std::fabs(dot(points_.normal[i], n)) >= least_alignment_;
       made.push_back({i, off, p.z, climb, is_near && is_aligned});
@@ -202,11 +137,10 @@ class StripSearch {
   // By the prior of the strips alone, the rest being surer.
   bool is_as_likely(uint32_t rival, const MetPoint& met) const {
     const GivenStrip& strip = scene_.strips[rival];
-    const Extent& extent = extents_[rival];
+    const StripExtent& extent = extents_[rival];
     const Vec3& p = points_.at[met.number];
     const double place = dot(along(strip), {p.x, p.y});
-    if (place < extent.from || place > extent.to || p.z < extent.bottom || p.z > extent.top)
-      return false;
+    if (!extent.contains(place, p.z)) return false;
     const double off = strip.normal.u * p.x + strip.normal.v * p.y - strip.offset_m;
     const double sigma = settings_.sigma_strip_m;
     return std::fabs(off) < reach_m_ &&
@@ -216,11 +150,11 @@ class StripSearch {
   const JointPoints& points_;
   const StripScene& scene_;
   const JointSettings& settings_;
-  PlanCells cells_;
-  std::vector<Extent> extents_;
+  PointCells cells_;
+  std::vector<StripExtent> extents_;
   std::vector<Vec3> middles_;
   double widest_m_ = 0;
-  PlanCells middle_cells_;
+  PointCells middle_cells_;
   double reach_m_, least_alignment_;
 };
 
