@@ -19,7 +19,8 @@ using Triangles = std::vector<std::array<uint32_t, 3>>;
 constexpr size_t kMostConvexCorners = 512;
 /// Of the extent: flat sides of several triangles are flat only this far.
 constexpr double kFlat = 1e-9;
-constexpr size_t kSidesPerLook = 1 << 14;  // each is looked up among all
+constexpr size_t kSidesPerLook = 1 << 14;        // each is looked up among all
+constexpr size_t kSurfaceRowsPerLook = 1 << 16;  // of vertices or triangles; each is read once
 
 // For each vertex the first that has the same place.
 std::vector<uint32_t> merged(const std::vector<Vec3>& vertices, Task& task) {
@@ -31,19 +32,26 @@ std::vector<uint32_t> merged(const std::vector<Vec3>& vertices, Task& task) {
   serial_sort(task, order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
     return key(a) < key(b) || (key(a) == key(b) && a < b);
   });
-  for (size_t i = 0; i < order.size(); ++i)
-    first[order[i]] = i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
+  serial_for(task, order.size(), kSurfaceRowsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i)
+      first[order[i]] =
+          i > 0 && key(order[i]) == key(order[i - 1]) ? first[order[i - 1]] : order[i];
+  });
   return first;
 }
 
 bool encloses(const std::vector<Vec3>& vertices, const Triangles& triangles, Task& task) {
   const std::vector<uint32_t> corner = merged(vertices, task);
   std::vector<std::pair<uint32_t, uint32_t>> sides;
-  for (const auto& t : triangles) {
-    const std::array<uint32_t, 3> c{corner[t[0]], corner[t[1]], corner[t[2]]};
-    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
-    for (size_t k = 0; k < 3; ++k) sides.emplace_back(c[k], c[(k + 1) % 3]);
-  }
+  sides.reserve(3 * triangles.size());
+  serial_for(task, triangles.size(), kSurfaceRowsPerLook, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const auto& t = triangles[i];
+      const std::array<uint32_t, 3> c{corner[t[0]], corner[t[1]], corner[t[2]]};
+      if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) continue;
+      for (size_t k = 0; k < 3; ++k) sides.emplace_back(c[k], c[(k + 1) % 3]);
+    }
+  });
   serial_sort(task, sides.begin(), sides.end());
   if (sides.empty() || std::adjacent_find(sides.begin(), sides.end()) != sides.end()) return false;
   size_t looked_up = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "base/numbers.h"
@@ -75,7 +76,7 @@ PointClearance clearance_of_points(const PartSurface& surface, const Octree& oct
 
   // Step 3: their distances.
   const bool closed = surface.is_closed();
-  std::vector<NearPoint> found(order.size());
+  Buffer<NearPoint> found(order.size());
   std::vector<uint32_t> place(order.size());
   Buffer<double> picked(3 * order.size());
   serial_for(task, order.size(), kSurfacePointsPerLook, [&](size_t begin, size_t end) {
@@ -93,12 +94,20 @@ PointClearance clearance_of_points(const PartSurface& surface, const Octree& oct
                              });
 
   PointClearance result;
-  result.least = *std::min_element(found.begin(), found.end(), precedes);
+  result.least = found[0];
+  size_t near = 0;
   serial_for(task, found.size(), kSurfacePointsPerLook, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      if (found[i].distance_m < 0) ++result.inside;
-      if (found[i].distance_m <= margin_m) result.near.push_back(found[i]);
+      const NearPoint& p = found[i];
+      if (precedes(p, result.least)) result.least = p;
+      result.inside += p.distance_m < 0;
+      near += p.distance_m <= margin_m;
     }
+  });
+  result.near.reserve(near);
+  serial_for(task, found.size(), kSurfacePointsPerLook, [&](size_t begin, size_t end) {
+    std::copy_if(found.begin() + begin, found.begin() + end, std::back_inserter(result.near),
+                 [&](const NearPoint& p) { return p.distance_m <= margin_m; });
   });
   serial_sort(task, result.near.begin(), result.near.end(),
               [](const NearPoint& a, const NearPoint& b) { return a.point < b.point; });

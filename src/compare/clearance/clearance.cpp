@@ -35,21 +35,28 @@ void put(const Vec3& v, double* out) {
   out[2] = v.z;
 }
 
-// part, face and triangle of each row; prefix "" or "other_". Of millions of rows each takes a tenth of a second: a
-// cancel is looked for between them.
+constexpr size_t kRowsPerLook = size_t{1} << 16;
+
+// What a column asks of each row, with a look for a cancel every so many rows: of millions a column takes tenths of a
+// second.
+template <class F>
+auto with_looks(Task& task, F f) {
+  return [&task, f, rows = size_t{0}](const auto& row, auto*... out) mutable {
+    if (rows++ % kRowsPerLook == 0) task.checkpoint(1);
+    return f(row, out...);
+  };
+}
+
+// part, face and triangle of each row; prefix "" or "other_".
 template <class Rows, class F>
-void add_sources(FieldTable& table, const Rows& rows, const std::string& prefix, F&& source,
+void add_sources(FieldTable& table, const Rows& rows, const std::string& prefix, F source,
                  Task& task) {
-  task.checkpoint(1);
   add_column<uint64_t>(table, rows, prefix + "part", "", "part, or 2^64 - 1",
-                       [&](const auto& row) { return source(row).part; });
-  task.checkpoint(1);
+                       with_looks(task, [&](const auto& row) { return source(row).part; }));
   add_column<uint64_t>(table, rows, prefix + "face", "", "row of the faces, or 2^64 - 1",
-                       [&](const auto& row) { return source(row).face; });
-  task.checkpoint(1);
+                       with_looks(task, [&](const auto& row) { return source(row).face; }));
   add_column<uint64_t>(table, rows, prefix + "triangle", "", "row of the triangles, or 2^64 - 1",
-                       [&](const auto& row) { return source(row).triangle; });
-  task.checkpoint(1);
+                       with_looks(task, [&](const auto& row) { return source(row).triangle; }));
 }
 
 PartSurface surface_of(const PartTriangles& part, Task& task) {
@@ -60,16 +67,16 @@ FieldTable near_points_table(const std::vector<NearPoint>& rows, const Cloud& cl
                              const PartTriangles& part, Task& task) {
   FieldTable t;
   add_column<uint64_t>(t, rows, "point", "", "point of the cloud",
-                       [](const NearPoint& r) { return r.point; });
+                       with_looks(task, [](const NearPoint& r) { return r.point; }));
   add_column<double>(t, rows, "clearance", "m", "distance; negative inside",
-                     [](const NearPoint& r) { return r.distance_m; });
+                     with_looks(task, [](const NearPoint& r) { return r.distance_m; }));
   add_sources(
       t, rows, "", [&](const NearPoint& r) { return part.sources[r.triangle]; }, task);
-  add_columns<double, 3>(t, rows, "xyz", "m", "the point",
-                         [&](const NearPoint& r, double* o) { put(cloud.point(r.point), o); });
-  task.checkpoint(1);
+  add_columns<double, 3>(
+      t, rows, "xyz", "m", "the point",
+      with_looks(task, [&](const NearPoint& r, double* o) { put(cloud.point(r.point), o); }));
   add_columns<double, 3>(t, rows, "foot", "m", "nearest point of the surface",
-                         [](const NearPoint& r, double* o) { put(r.foot, o); });
+                         with_looks(task, [](const NearPoint& r, double* o) { put(r.foot, o); }));
   return t;
 }
 
@@ -77,15 +84,17 @@ FieldTable near_triangles_table(const std::vector<NearTriangle>& rows, const Par
                                 const PartTriangles& other, Task& task) {
   FieldTable t;
   add_column<double>(t, rows, "clearance", "m", "distance; 0: they meet",
-                     [](const NearTriangle& r) { return r.distance_m; });
+                     with_looks(task, [](const NearTriangle& r) { return r.distance_m; }));
   add_sources(
       t, rows, "", [&](const NearTriangle& r) { return part.sources[r.first]; }, task);
   add_sources(
       t, rows, "other_", [&](const NearTriangle& r) { return other.sources[r.second]; }, task);
-  add_columns<double, 3>(t, rows, "xyz", "m", "nearest point of the other surface",
-                         [](const NearTriangle& r, double* o) { put(r.second_point, o); });
-  add_columns<double, 3>(t, rows, "foot", "m", "nearest point of the surface",
-                         [](const NearTriangle& r, double* o) { put(r.first_point, o); });
+  add_columns<double, 3>(
+      t, rows, "xyz", "m", "nearest point of the other surface",
+      with_looks(task, [](const NearTriangle& r, double* o) { put(r.second_point, o); }));
+  add_columns<double, 3>(
+      t, rows, "foot", "m", "nearest point of the surface",
+      with_looks(task, [](const NearTriangle& r, double* o) { put(r.first_point, o); }));
   return t;
 }
 
