@@ -97,7 +97,7 @@ void PointPool::fill_block(const SegmentScene& scene, size_t block) {
     if (position != kNoPoint) {
       const Vec3 p = scene.local(position);
       for (int k = 0; k < 3; ++k) v[k] = static_cast<float>(p[k]);
-      for (size_t k = 0; k < 3; ++k) v[3 + k] = scene.normals[3 * position + k];
+      for (size_t k = 0; k < 3; ++k) v[3 + k] = scene.normals[size_t{3} * position + k];
       box.add({v[0], v[1], v[2]});
     }
     for (size_t k = 0; k < 6; ++k) values_[k * slots_ + slot] = v[k];
