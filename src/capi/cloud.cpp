@@ -232,7 +232,7 @@ jalon_status jalon_cloud_set_station(jalon_cloud* cloud, const char* name,
     if (pose != nullptr) station.pose = require_pose(*pose);
     station.count = cloud->cloud->size();
     Cloud changed = *cloud->cloud;
-    changed.stations.assign(1, std::move(station));
+    changed.stations.assign(1, station);
     replace(cloud, std::move(changed));
   });
 }

@@ -22,9 +22,9 @@ std::span<const uint64_t> index_list(const uint64_t* indices, uint64_t count) {
   return {indices, static_cast<size_t>(count)};
 }
 
-FieldTable one_row(Segment segment) {
+FieldTable one_row(const Segment& segment) {
   Segmentation table;
-  table.segments.push_back(std::move(segment));
+  table.segments.push_back(segment);
   return segment_table(table);
 }
 

@@ -24,8 +24,7 @@ struct Cut {
     if (polygon.empty() == polygon_file.empty())
       throw Failure{JALON_ERROR_INVALID_ARGUMENT,
                     "a cut needs its polygon, by --polygon or by --polygon-file"};
-    const CutPolygon out =
-        polygon.empty() ? read_cut_polygon(polygon_file) : parse_cut_polygon(polygon);
+    CutPolygon out = polygon.empty() ? read_cut_polygon(polygon_file) : parse_cut_polygon(polygon);
     if (from_m > to_m)
       throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--from lies above --to: nothing is between"};
     return out;

@@ -51,7 +51,7 @@ class ColumnWriter {
 }  // namespace
 
 PcaNormals pca_normals(const Octree& tree, uint32_t k, bool with_curvature, Task& task) {
-  const PcaNormals out = new_result(tree.size(), with_curvature);
+  PcaNormals out = new_result(tree.size(), with_curvature);
   const size_t used = std::min<size_t>(k, tree.size());  // the places behind are empty
   tree.for_each_knn(k, task, [&](const Octree::Batch& b) {
     NeighbourPlanes planes(tree, ColumnWriter(tree, out));
@@ -63,7 +63,7 @@ PcaNormals pca_normals(const Octree& tree, uint32_t k, bool with_curvature, Task
 
 PcaNormals pca_normals_radius(const Octree& tree, double radius_m, bool with_curvature,
                               Task& task) {
-  const PcaNormals out = new_result(tree.size(), with_curvature);
+  PcaNormals out = new_result(tree.size(), with_curvature);
   const RangeSums<2> sums(tree, task);
   tree.for_each_ranged_ball(
       radius_m, task,

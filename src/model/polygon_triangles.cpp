@@ -275,7 +275,7 @@ std::vector<std::array<uint32_t, 3>> triangulate(const std::vector<std::vector<V
   // line. The triangles then cover more than the polygon: the rings are kept apart and other directions of the bridges
   // tried.
   if (rings.empty() || rings[0].size() < 3) return {};
-  const auto first = Chain(rings).cut();
+  auto first = Chain(rings).cut();
   const double wanted = area2_of(rings),
                step = 2.399963229728653;  // the golden angle: no direction comes twice
   const auto fits = [&](const auto& triangles) {

@@ -73,7 +73,7 @@ PartTriangles collect(const Model& model, Wanted wanted) {
 }
 
 ConvexPiece convex_piece_of(const PartTriangles& surface, const std::string& name) {
-  const ConvexPiece piece = ConvexPiece::hull(surface.vertices);
+  ConvexPiece piece = ConvexPiece::hull(surface.vertices);
   const auto inside = [&](const Vec3& p) { return piece.distance(p).value < -kConvex_m; };
   for (const auto& t : surface.triangles) {
     const Vec3 a = surface.vertices[t[0]], b = surface.vertices[t[1]], c = surface.vertices[t[2]];

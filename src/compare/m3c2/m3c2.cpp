@@ -165,7 +165,7 @@ CoreColumns measure(const M3c2Settings& settings, const CloudPtr& reference,
   const CylinderComparer cylinders(settings, reference, compared, task);
   const auto core_tree = core->octree(task);
   const auto order = core_tree->order();
-  const CoreColumns columns(core->size());
+  CoreColumns columns(core->size());
   ProgressSpan span(task, 0.2, 1, "cylinders");
   parallel_for(task, core->size(), kGrain, [&](size_t begin, size_t end) {
     CoreMeasurer measurer(normals, cylinders, settings.cylinder_radius_m);

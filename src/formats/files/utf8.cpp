@@ -66,7 +66,7 @@ std::string UniqueNames::add(const std::string& name) {
   const auto [entry, added] = next_.try_emplace(name, 2);
   if (added) return name;
   for (;;) {
-    const std::string other = numbered(name, entry->second++);
+    std::string other = numbered(name, entry->second++);
     if (next_.try_emplace(other, 2).second) return other;
   }
 }

@@ -146,8 +146,8 @@ void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& 
           dot(all[s].cells.frame.normal, all[w].cells.frame.normal) < kSameWayCosine_recess)
         continue;
       task.checkpoint(0);
-      for (Recess& recess : recesses_of(all[s], all[w])) {
-        recesses.push_back(std::move(recess));
+      for (const Recess& recess : recesses_of(all[s], all[w])) {
+        recesses.push_back(recess);
         back.push_back(s);
       }
     }

@@ -161,10 +161,10 @@ FittedShape fitted_shape(const WallCells& cells, std::span<const uint8_t> taken,
   const double straight = best.score;
   for (const ShapeKind kind : kOtherKinds)
     for (const RingBox& from : {start, grown}) {
-      FittedShape other = climbed_from(shape_in(kind, from));
+      const FittedShape other = climbed_from(shape_in(kind, from));
       if (other.score > best.score && other.score > weights.clearly * straight &&
           (is_head_seen ? is_head_seen(other.shape) : has_seen_head(cells, other.shape)))
-        best = std::move(other);
+        best = other;
     }
   return best;
 }

@@ -30,7 +30,8 @@ std::vector<double> clearance_of_points(const FieldTable& places, size_t points)
   return out;
 }
 
-ViewChannel clearance_channel(std::shared_ptr<const std::vector<double>> values, double margin_m) {
+ViewChannel clearance_channel(const std::shared_ptr<const std::vector<double>>& values,
+                              double margin_m) {
   ViewChannel channel;
   channel.name = "clearance";
   channel.unit = "m";

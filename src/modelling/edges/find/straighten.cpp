@@ -138,7 +138,7 @@ std::vector<Vec2> from_far_corner(std::span<const Vec2> chain) {
 }  // namespace
 
 Polygon thinned(std::span<const Vec2> chain, double tolerance_m) {
-  const auto turned = from_far_corner(chain);
+  auto turned = from_far_corner(chain);
   // A coarse polygon may cross itself where the chain runs beside itself: halve the tolerance until it does not.
   for (int attempt = 0; attempt < 4; ++attempt, tolerance_m /= 2) {
     Polygon out;

@@ -316,7 +316,8 @@ std::vector<VectorRing> measured_rings(const RingSource& source, const Vectorise
   for (Draft& draft : drafts) {
     if (!has_doubtful_arc(draft, contour.spacing_m)) continue;
     draft = make_draft(*draft.chain, draft.is_opening, false, contour, setting, nullptr);
-    again.assign(1, std::move(draft));
+    again.clear();
+    again.push_back(std::move(draft));
     measure(again, near, others, kOffPlane * sigma, edges, task);
     draft = std::move(again[0]);
   }
