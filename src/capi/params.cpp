@@ -124,6 +124,8 @@ std::span<const Operation> operations() {
 
 namespace {
 
+constexpr size_t kLongestValue = size_t{1} << 20;  // a list of codes: some 25 000 points
+
 const Operation& find_operation(const std::string& name) {
   std::string names;
   for (const auto& operation : operations()) {
@@ -246,7 +248,8 @@ jalon_status jalon_params_set_bool(jalon_params* params, const char* name, int32
 jalon_status jalon_params_set_string(jalon_params* params, const char* name, const char* value) {
   return guard([&] {
     require(params, "params");
-    params->values->set_text(require_text(name, "name"), require_text(value, "value"));
+    params->values->set_text(require_text(name, "name"),
+                             require_text(value, "value", kLongestValue));
   });
 }
 
@@ -323,6 +326,6 @@ jalon_status jalon_params_to_json(jalon_params* params, const char** out) {
 jalon_status jalon_params_from_json(jalon_params* params, const char* json) {
   return guard([&] {
     require(params, "params");
-    params->values->from_json(require_text(json, "json", size_t{1} << 20));
+    params->values->from_json(require_text(json, "json", kLongestValue));
   });
 }

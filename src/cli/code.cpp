@@ -100,6 +100,11 @@ std::string parameters_of(const char* method) {
          describe(params.get()) + "\n";
 }
 
+void set_from_file(jalon_params* params, const char* name, const std::string& path) {
+  if (jalon_params_set_string(params, name, read_text_file(path).c_str()) != JALON_OK)
+    throw Failure{JALON_ERROR_FORMAT, path + ": " + jalon_last_error_message()};
+}
+
 struct Code {
   Common common;
   Input input;
@@ -112,9 +117,8 @@ struct Code {
     must_know(jalon_segmenter_create(method_name(method), Out(made)));
     must(jalon_segmenter_params(made.get(), Out(params)));
     settings.apply(params.get());
-    must(jalon_params_set_string(params.get(), "codes", read_text_file(codes).c_str()));
-    if (!table.empty())
-      must(jalon_params_set_string(params.get(), "table", read_text_file(table).c_str()));
+    set_from_file(params.get(), "codes", codes);
+    if (!table.empty()) set_from_file(params.get(), "table", table);
     return made;
   }
 

@@ -299,6 +299,33 @@ static void params__of_a_worker_change_the_worker(void** state) {
   jalon_params_release(second);
 }
 
+/* A survey of some thousand coded points is longer than the 64 KiB of other texts. */
+static void params__hold_a_list_of_codes_of_a_megabyte(void** state) {
+  (void)state;
+  const size_t longest = (size_t)1 << 20;
+  char* codes = malloc(longest + 2);
+  const char* held;
+  jalon_segmenter* segmenter;
+  jalon_params* params;
+  assert_non_null(codes);
+  MUST(jalon_segmenter_create("survey_codes", &segmenter));
+  MUST(jalon_segmenter_params(segmenter, &params));
+  memset(codes, '#', longest + 1);
+  codes[longest] = 0;
+  MUST(jalon_params_set_string(params, "codes", codes));
+  MUST(jalon_params_get_string(params, "codes", &held));
+  assert_int_equal(strlen(held), longest);
+  codes[longest] = '#', codes[longest + 1] = 0;
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT, jalon_params_set_string(params, "codes", codes));
+  assert_non_null(strstr(jalon_last_error_message(), "value is longer than 1048576 bytes"));
+  REFUSED(JALON_ERROR_INVALID_ARGUMENT,
+          jalon_params_set_string(params, "codes", "1;0;0;0;360\n2;0;0;0;360 caf\xE9\n"));
+  assert_non_null(strstr(jalon_last_error_message(), "value is not valid UTF-8 in line 2"));
+  jalon_params_release(params);
+  jalon_segmenter_release(segmenter);
+  free(codes);
+}
+
 static void params__of_one_operation_are_refused_by_another(void** state) {
   (void)state;
   jalon_params* params;
@@ -322,6 +349,7 @@ int main(void) {
       cmocka_unit_test(params__json_is_all_or_nothing),
       cmocka_unit_test(params__info_serves_older_and_newer_callers),
       cmocka_unit_test(params__of_a_worker_change_the_worker),
+      cmocka_unit_test(params__hold_a_list_of_codes_of_a_megabyte),
       cmocka_unit_test(params__of_one_operation_are_refused_by_another),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

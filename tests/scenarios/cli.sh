@@ -217,6 +217,8 @@ cut -d' ' -f1-3 pattern.txt >bare.txt
 refuses "targets of a scan without intensities" 3 'no field' "$jalon" targets bare.txt catalogue.json -o no
 refuses "targets of a catalogue that is none" 2 'no JSON' "$jalon" targets pattern.txt words.json -o no
 refuses "code without a list of codes" 3 'none.txt' "$jalon" code sample.las none.txt -o no --method targets
+printf '1;0;0;0;360\n2;0;0;0;360 caf\351\n' >latin.txt
+refuses "code with a list that is not UTF-8" 3 'latin.txt: value is not valid UTF-8 in line 2' "$jalon" code sample.las latin.txt -o no --method survey
 refuses "code with a table that is none" 2 'no JSON' "$jalon" code sample.las codes.txt -o no --method survey --table coded/objects.csv
 for epoch in 1 2; do check "scan of the street, epoch $epoch" "$jalon" scan --scene street --scene-set epoch=$epoch --method sample --set points=100000 --set seed=$epoch -o street$epoch.ply --quiet; done
 check "compare both ways" bash -c "'$jalon' compare street1.ply street2.ply -o both --threshold 0.3 --json | python3 -c '

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "capi/support/guard.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <limits>
@@ -89,13 +90,22 @@ size_t require_array(const void* data, int32_t type, uint64_t count, uint32_t co
 
 namespace {
 
-bool is_utf8(std::string_view text) {
+// What of a text comes after its first bytes that are valid UTF-8.
+std::string_view after_utf8(std::string_view text) {
   while (!text.empty()) {
     const size_t bytes = utf8_character_bytes(text);
-    if (bytes == 0) return false;
+    if (bytes == 0) break;
     text.remove_prefix(bytes);
   }
-  return true;
+  return text;
+}
+
+[[noreturn]] void refuse_bytes(std::string_view text, size_t at, const char* name) {
+  if (text.find('\n') == std::string_view::npos)
+    fail(Status::kInvalidArgument, "%s is not valid UTF-8", name);
+  const auto line =
+      1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+  fail(Status::kInvalidArgument, "%s is not valid UTF-8 in line %td", name, line);
 }
 
 }  // namespace
@@ -104,7 +114,8 @@ std::string require_text(const char* text, const char* name, size_t limit) {
   require(text, name);
   const size_t size = ::strnlen(text, limit + 1);
   if (size > limit) fail(Status::kInvalidArgument, "%s is longer than %zu bytes", name, limit);
-  if (!is_utf8({text, size})) fail(Status::kInvalidArgument, "%s is not valid UTF-8", name);
+  if (const size_t rest = after_utf8({text, size}).size(); rest > 0)
+    refuse_bytes({text, size}, size - rest, name);
   return {text, size};
 }
 

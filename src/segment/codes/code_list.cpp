@@ -43,12 +43,12 @@ bool read_place(const std::vector<std::string_view>& columns, Vec3& place) {
   return is_finite(place);
 }
 
-// A heading names its columns: none of the three begins as a number does. A first point that cannot be read is none, or
-// it would be lost unsaid.
+// A heading names its columns: neither a coordinate nor the code begins as a number does. A first point that cannot be
+// read is none, or it would be lost unsaid.
 bool is_heading(const std::vector<std::string_view>& columns) {
-  for (size_t axis = 1; axis <= 3; ++axis)
-    if (!columns[axis].empty() &&
-        std::string_view("0123456789+-.,").find(columns[axis].front()) != std::string_view::npos)
+  for (size_t k = 1; k < kListColumns; ++k)
+    if (!columns[k].empty() &&
+        std::string_view("0123456789+-.,").find(columns[k].front()) != std::string_view::npos)
       return false;
   return true;
 }
@@ -98,6 +98,8 @@ void add_codes(std::string_view text, const CodedPoint& bare, const CodeTable& t
 }  // namespace
 
 CodeList read_code_list(std::string_view text, const CodeTable& table) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of a text that a spreadsheet saved
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   CodeList list;
   SeenIds seen;
   bool first_line = true;
@@ -112,8 +114,8 @@ CodeList read_code_list(std::string_view text, const CodeTable& table) {
     CodedPoint point;
     point.line = number;
     if (columns.size() != kListColumns)
-      fail(Status::kFormat, "code list, line %zu: %zu columns; ID;X;Y;Z;code are five", number,
-           columns.size());
+      fail(Status::kFormat, "code list, line %zu: %zu columns; ID;X;Y;Z;code are five%s", number,
+           columns.size(), columns.size() == 1 ? ", parted by semicolons or tabs" : "");
     point.id = columns[0];
     if (!read_place(columns, point.position)) {
       if (may_be_heading && is_heading(columns)) continue;

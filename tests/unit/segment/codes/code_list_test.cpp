@@ -49,6 +49,17 @@ TEST_CASE("code_list__takes_tabs") {
   CHECK(read("1\t2\t3\t4\t360").points.at(0).position == Vec3{2, 3, 4});
 }
 
+TEST_CASE("code_list__a_byte_order_mark_is_no_part_of_the_first_id") {
+  CHECK(read("\xEF\xBB\xBF"
+             "1;2;3;4;360")
+            .points.at(0)
+            .id == "1");
+}
+
+TEST_CASE("code_list__other_separators_are_told") {
+  CHECK_THROWS_WITH_AS(read("1,2,3,4,360"), doctest::Contains("semicolons or tabs"), Error);
+}
+
 TEST_CASE("code_list__unknown_codes_are_listed_with_line_and_point") {
   const CodeList list = read("1;0;0;0;360\n2;0;0;0;777.2\n3;0;0;0;wall\n4;0;0;0;");
   CHECK(list.points.size() == 1);
@@ -77,7 +88,8 @@ TEST_CASE("code_list__a_line_that_cannot_be_read_is_named") {
 }
 
 TEST_CASE("code_list__a_first_point_that_cannot_be_read_is_no_heading") {
-  for (const char* first : {"1;1,5;2,5;3,5;360", "1;nan;2;3;360", "1;;2;3;360"})
+  for (const char* first :
+       {"1;1,5;2,5;3,5;360", "1;nan;2;3;360", "1;;2;3;360", "1;;;;360", "1;nan;nan;nan;360"})
     CHECK_THROWS_WITH_AS(read(std::string(first) + "\n2;4;5;6;360"),
                          doctest::Contains("line 1: X, Y and Z of point 1"), Error);
   CHECK(read("ID;X [m];Y [m];Z [m];code\n2;4;5;6;360").points.size() == 1);
