@@ -9,7 +9,7 @@
 #include "base/parallel.h"
 #include "registration/joint/point_cells.h"
 #include "registration/joint/strip_extents.h"
-#include "registration/quantile.h"
+#include "spatial/quantile.h"
 
 namespace jalon {
 
