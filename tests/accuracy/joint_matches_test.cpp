@@ -10,8 +10,8 @@
 // Matches by rays against perfect ones: a closed street with roofs, ground, and things 5 m high before the houses that
 // the model lacks, 5 mm of noise; one setting, the default, for all five scenarios. Developed with seeds from 9001 on;
 // the long run has 9101 to 9150; JALON_JOINT_SEEDS=first-last: others. Last reported: 9474 to 9523 all
-// five scenarios without exchanges of facades (scenario 3: facades 9.6, of one that stood on its neighbour's wall); with
-// them 9574 to 9623, scenario 3.
+// five scenarios without exchanges of facades (scenario 3: facades 9.6, of one on its neighbour's wall); with them 9574
+// to 9623, scenario 3.
 
 namespace jalon::joint_matches_test {
 
