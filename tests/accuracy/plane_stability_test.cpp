@@ -255,9 +255,10 @@ TEST_CASE("plane_stability__of_every_method_under_changes_that_mean_nothing") {
   print_table(shares);
   if (is_full()) return;  // printed: much hangs on how sparse a scan is
   for (const auto& of_change : shares)
-    for (const auto& [method, all] : of_change.second) {
-      INFO(of_change.first << ", " << std::string(method));
-      const bool by_profiles = of_change.first == "half" && method == "profiles";
+    for (const auto& of_method : of_change.second) {
+      INFO(of_change.first << ", " << of_method.first);
+      const bool by_profiles = of_change.first == "half" && of_method.first == "profiles";
+      const auto& all = of_method.second;
       CHECK(*std::min_element(all.begin(), all.end()) >=
             (by_profiles ? kLeastSameOfHalfByProfiles : kLeastSame.at(of_change.first)));
     }
