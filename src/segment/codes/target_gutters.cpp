@@ -13,6 +13,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kGutterPointsPerChunk = 256;
+constexpr uint32_t kDozen = 12;
 constexpr double kLongest =
     2;  // times the text's radii: then normals are those of more than the pipe
 
@@ -21,7 +22,10 @@ class GutterPoints {
  public:
   /// seed: of form "improved" the target about which a coarse scan makes the radii longer; else null.
   GutterPoints(const TargetScene& scene, std::vector<uint32_t> points, const Vec3* seed, Task& task)
-      : scene_(scene), points_(std::move(points)), xyz_(3 * points_.size()) {
+      : scene_(scene),
+        points_(std::move(points)),
+        xyz_(3 * points_.size()),
+        has_more_seeds_(seed != nullptr) {
     Box3 box;
     for (size_t i = 0; i < points_.size(); ++i) {
       const Vec3 p = scene.local(points_[i]);
@@ -42,8 +46,15 @@ class GutterPoints {
     Neighbour seed;
     if (!tree_->nearest_within(target, scene_.settings.gutter_reach_m, seed)) return {};
     std::vector<uint32_t> region{seed.index};
+    // Form "improved": the dozen about it too, as one normal of a coarse scan may be amiss.
+    if (has_more_seeds_) {
+      std::array<Neighbour, kDozen> about;
+      const size_t n = tree_->knn(point(seed.index), kDozen, about);
+      for (size_t k = 0; k < n; ++k)
+        if (about[k].index != seed.index) region.push_back(about[k].index);
+    }
     std::vector<bool> in_region(points_.size(), false);
-    in_region[seed.index] = true;
+    for (const uint32_t i : region) in_region[i] = true;
     std::vector<Neighbour> near;
     for (size_t at = 0; at < region.size(); ++at) {
       if (at % kGutterPointsPerChunk == 0) task.checkpoint(0.5);
@@ -64,7 +75,6 @@ class GutterPoints {
   // The text's radii are for 10 000 points/m2 or more, a dozen within the radius of growing: as much as the dozenth is
   // farther about the target.
   double longer_about(const Vec3& target) const {
-    constexpr uint32_t kDozen = 12;
     Neighbour seed;
     if (!tree_->nearest_within(target, scene_.settings.gutter_reach_m, seed)) return 1;
     std::array<Neighbour, kDozen> about, own;
@@ -106,6 +116,7 @@ class GutterPoints {
   std::vector<double> xyz_;
   std::shared_ptr<const Octree> tree_;
   double longer_ = 1;
+  bool has_more_seeds_ = false;
   std::vector<Vec3> normals_;
 };
 
