@@ -16,7 +16,25 @@ constexpr int kFarthestBefore = 8,
               kFarthestBehind = 2;                     // steps: targets stick on panes 2 cm behind
 constexpr double kNarrowest_m = 0.5, kLowest_m = 1.5;  // doors
 constexpr double kDeepestPanel_m = 0.04;  // behind the front: panes and panels are the leaf's
+// A leaf's rails stand at its front above or below whatever pane or panel, a frame's 8 cm of 2 m each; the troughs of a
+// sheet nowhere reach its crests.
+constexpr double kLeastOfRails = 0.02;
+// Of a leaf's width; sheets with a pitch of 7.6 to 30 cm show their crests in 0.8 of it at most.
+constexpr double kLeastFlat = 0.85;
 constexpr int kLeafRounds = 2;
+
+// Cells of one column: points at the front less those that contradict it, those at it, and those as little behind it
+// as panes, panels and the troughs of a sheet.
+struct CellVotes {
+  double votes = 0, at_front = 0, behind = 0;
+  CellVotes& operator+=(const CellVotes& b) {
+    votes += b.votes, at_front += b.at_front, behind += b.behind;
+    return *this;
+  }
+  bool shows_front() const { return at_front > kLeastOfRails * (at_front + behind); }
+  // What lies behind speaks against a leaf where nothing stands at its front.
+  double of_column() const { return shows_front() ? votes : votes - behind; }
+};
 
 // Cells of the plane about the target: points at a front less those before or behind it.
 class Votes {
@@ -26,18 +44,21 @@ class Votes {
         target_(target),
         reach_(static_cast<size_t>(std::ceil(radius_m / kLeafCell_m))),
         side_(2 * reach_ + 1),
-        votes_(side_ * side_) {}
+        cells_(side_ * side_) {}
 
   // The rectangle about the middle cell with the largest sum; its sum.
   double best(const OpeningFront& front, TargetLeaf& leaf) {
     count(front);
     double most = 0;
+    std::vector<CellVotes> cells(side_);
     std::vector<double> column(side_);
     for (size_t low = 0; low <= reach_; ++low) {
-      for (size_t s = 0; s < side_; ++s) column[s] = sum(s, low, reach_);
+      for (size_t s = 0; s < side_; ++s) cells[s] = sum(s, low, reach_);
       for (size_t high = reach_; high < side_; ++high) {
-        if (high > reach_)
-          for (size_t s = 0; s < side_; ++s) column[s] += votes_[high * side_ + s];
+        for (size_t s = 0; s < side_; ++s) {
+          if (high > reach_) cells[s] += cells_[high * side_ + s];
+          column[s] = cells[s].of_column();
+        }
         const auto [left, to_left] = farthest(column, -1);
         const auto [right, to_right] = farthest(column, 1);
         const double all = to_left + to_right - column[reach_];
@@ -50,6 +71,17 @@ class Votes {
     return most;
   }
 
+  // Whether the front is seen all over the width of a leaf.
+  bool is_flat(const TargetLeaf& leaf) const {
+    const size_t left = cell_of(leaf.left_m + kLeafCell_m / 2 - target_.u),
+                 right = cell_of(leaf.right_m - kLeafCell_m / 2 - target_.u),
+                 low = cell_of(leaf.low_m + kLeafCell_m / 2 - target_.v),
+                 high = cell_of(leaf.high_m - kLeafCell_m / 2 - target_.v);
+    size_t flat = 0;
+    for (size_t s = left; s <= right; ++s) flat += sum(s, low, high).shows_front();
+    return static_cast<double>(flat) >= kLeastFlat * static_cast<double>(right + 1 - left);
+  }
+
  private:
   double edge(size_t cell) const {
     return (static_cast<double>(cell) - static_cast<double>(reach_) - 0.5) * kLeafCell_m;
@@ -58,21 +90,23 @@ class Votes {
     const double k = std::floor(at / kLeafCell_m + 0.5) + static_cast<double>(reach_);
     return k >= 0 && k < static_cast<double>(side_) ? static_cast<size_t>(k) : side_;
   }
-  double sum(size_t s, size_t from, size_t to) const {
-    double total = 0;
-    for (size_t z = from; z <= to; ++z) total += votes_[z * side_ + s];
+  CellVotes sum(size_t s, size_t from, size_t to) const {
+    CellVotes total;
+    for (size_t z = from; z <= to; ++z) total += cells_[z * side_ + s];
     return total;
   }
 
   void count(const OpeningFront& front) {
-    std::fill(votes_.begin(), votes_.end(), 0.0);
-    std::vector<double> all(votes_.size(), 0.0);
+    std::fill(cells_.begin(), cells_.end(), CellVotes{});
+    std::vector<double> all(cells_.size(), 0.0);
     for (const Vec3& p : points_) {
       const size_t s = cell_of(p.x - target_.u), z = cell_of(p.z - target_.v);
       if (s == side_ || z == side_) continue;
+      CellVotes& cell = cells_[z * side_ + s];
       const double before = p.y - front.before(p.x);
-      if (std::fabs(before) < kLeafNoise_m) votes_[z * side_ + s] += 1;
-      else if (before > 0 || before < -kDeepestPanel_m) votes_[z * side_ + s] -= 1;
+      if (std::fabs(before) < kLeafNoise_m) cell += {1, 1, 0};
+      else if (before > 0 || before < -kDeepestPanel_m) cell.votes -= 1;
+      else cell.behind += 1;
       ++all[z * side_ + s];
     }
     // A target is scanned densely and is but a few cells.
@@ -82,7 +116,9 @@ class Votes {
     if (counts.empty()) return;
     const auto middle = counts.begin() + static_cast<std::ptrdiff_t>(counts.size() / 2);
     std::nth_element(counts.begin(), middle, counts.end());
-    for (double& vote : votes_) vote = std::clamp(vote, -*middle, *middle);
+    for (CellVotes& cell : cells_)
+      cell = {std::clamp(cell.votes, -*middle, *middle), std::min(cell.at_front, *middle),
+              std::min(cell.behind, *middle)};
   }
 
   // From the middle column outward: where the sum is largest, and that sum.
@@ -103,7 +139,7 @@ class Votes {
   std::span<const Vec3> points_;
   Vec2 target_;
   size_t reach_, side_;
-  std::vector<double> votes_;  // rows of height
+  std::vector<CellVotes> cells_;  // rows of height
 };
 
 }  // namespace
@@ -129,7 +165,7 @@ bool find_leaf(std::span<const Vec3> points, const Vec2& target, double radius_m
   }
   const double width = leaf.right_m - leaf.left_m;
   return width >= kNarrowest_m && leaf.high_m - leaf.low_m >= kLowest_m &&
-         width < 2 * radius_m - 2 * kLeafCell_m;
+         width < 2 * radius_m - 2 * kLeafCell_m && votes.is_flat(leaf);
 }
 
 }  // namespace jalon

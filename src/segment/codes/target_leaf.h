@@ -19,8 +19,10 @@ struct TargetLeaf {
 };
 
 /// Points about a door's target, x = place along its upright plane, y = distance before it, z = height: the upright
-/// rectangle about the target in which most points lie at one depth and fewest before or behind it. False where none is
-/// as large as a door, or where it has no end within the radius: then a leaf and its wall are one plane.
+/// rectangle about the target in which most points lie at one depth and fewest before or behind it. What lies up to
+/// 4 cm behind it is a pane's or a panel's, but where nothing above or below stands at the front. False where none is
+/// as large as a door, where the front is not seen over its width, as at the crests of a sheet, or where it has no end
+/// within the radius: then a leaf and its wall are one plane.
 bool find_leaf(std::span<const Vec3> points, const Vec2& target, double radius_m, TargetLeaf& leaf);
 
 /// How far from the front of a leaf its points lie at most: twice the noise of a scanner.
