@@ -25,6 +25,7 @@ constexpr double kOneFacade_m = 0.05, kOneFacadeCosine = 0.94;
 constexpr double kAboutWall_m = 0.5;     // as between the two measurements of a corner
 constexpr double kWidestWindow_m = 2.5;  // of one storey high
 constexpr double kFlush_m = 0.1;         // of a pane behind a wall whose waves may reach its leaf
+constexpr double kWithinLeaf_m = 0.4;    // about a target: half of the width of a narrow door
 
 // The nearest wall along a door's or window's plane: it stands before it, on the outer side. Nothing where no target's
 // wall is near and parallel.
@@ -224,6 +225,21 @@ bool take_flush_door(TargetScene& scene, uint32_t number) {
   return true;
 }
 
+// A leaf of which other objects took the larger part, its wall first of all: it is flush with that.
+bool is_lost(const TargetScene& scene, uint32_t number, const Plane& plane) {
+  const CodedObject& object = scene.objects.objects[number - 1];
+  const Vec3 place = scene.place(object.points.front());
+  size_t its = 0, others = 0;
+  for (const uint32_t i : scene.tiles.points_about(in_plan(place), kWithinLeaf_m)) {
+    const Vec3 p = scene.local(i);
+    if (scene.owner[i] == 0 || std::fabs(plane.distance(p)) > object.row.distance_m ||
+        norm(p - place) > kWithinLeaf_m)
+      continue;
+    ++(scene.owner[i] == number ? its : others);
+  }
+  return others > its;
+}
+
 void take_door(TargetScene& scene, uint32_t number) {
   if (scene.is_improved() && take_flush_door(scene, number)) return;
   const CodedObject& object = scene.objects.objects[number - 1];
@@ -241,6 +257,9 @@ void take_door(TargetScene& scene, uint32_t number) {
          return squared_norm(p - centre) < radius * radius;
        }))
     scene.owner[i] = number;
+  if (is_lost(scene, number, *plane))
+    warn_of_target(scene, object,
+                   "most points about its target went to another object: flush with its wall");
 }
 
 // Strictly between two places, widened by the margin, along every axis.

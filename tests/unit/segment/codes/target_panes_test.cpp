@@ -79,6 +79,19 @@ TEST_CASE("target_panes__improved_a_leaf_that_stands_open_is_a_window") {
   }
 }
 
+TEST_CASE("target_panes__a_leaf_of_which_the_wall_took_most_is_told") {
+  TargetHouse house(0.02);
+  size_t count = 0;
+  for (size_t i = 0; i < house.truth.size(); ++i)
+    if (house.truth[i] == 2 && count++ % 3 == 0) house.points[i].y = 0.06;
+  const Segmentation s = house.coded("1;0.5;0;0.4;1\n2;1.5;0.06;0.5;2\n");
+  CHECK(house.confused(s, 2, 1) > house.confused(s, 2, 2));
+  CHECK(house.confused(s, 2, 2) > 0);
+  CHECK(warned(s, "door 2").find("flush with its wall") != std::string::npos);
+  const TargetHouse behind;
+  CHECK(warned(behind.coded(behind.targets), "door 2").empty());
+}
+
 TEST_CASE("target_panes__improved_a_flush_leaf_is_found_among_the_waves_of_its_wall") {
   // The same wall and leaf as everywhere, the wall in waves about it.
   TargetHouse house(0.02);
