@@ -34,9 +34,10 @@ void add_reveals(Sheets& out, const Side& side, const Opening& o) {
 }
 
 // The inner sides of a frame, as far as the pane lets them be seen.
-void add_rebate(Sheets& out, uint32_t part, PointClass c, const Frame& front, const Rect& light) {
+void add_rebate(Sheets& out, uint32_t part, PointClass c, const Frame& front, const Rect& light,
+                double pane_behind_m) {
   const auto at = [&](double u, double v, double depth) { return front.point(u, v, -depth); };
-  const double d = kGlassBehind_m;
+  const double d = pane_behind_m;
   const auto side = [&](const Vec2& a, const Vec2& b) {
     out.corners(part, c, {at(a.u, a.v, 0), at(b.u, b.v, 0), at(b.u, b.v, d), at(a.u, a.v, d)});
   };
@@ -67,13 +68,13 @@ void add_inside(Sheets& out, const Frame& pane, const Rect& light, RandomStream&
 void add_fittings(Sheets& out, const Side& side, const Opening& o, RandomStream random) {
   add_reveals(out, side, o);
   const PointClass c = o.is_door ? kDoor : kWindow;
-  const Frame front = side.front_of(o), pane = front.raised(-kGlassBehind_m);
+  const Frame front = side.front_of(o), pane = front.raised(-o.pane_behind_m());
   const uint32_t fitting = o.is_door ? out.part("leaf", "door") : out.part("frame", "window");
   const std::vector<Rect> lights = o.lights();
   out.rect(fitting, c, front, {o.left_m, o.right_m, o.low_m, o.high_m}, lights);
   const uint32_t glass = out.part("glass", "glass", fitting);
   for (const Rect& light : lights) {
-    add_rebate(out, fitting, c, front, light);
+    add_rebate(out, fitting, c, front, light, o.pane_behind_m());
     out.rect(glass, c, pane, light);
     if (o.has_blind) add_blind(out, pane, light, random);
     add_inside(out, pane, light, random);

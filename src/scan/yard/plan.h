@@ -14,9 +14,11 @@ namespace jalon::yard {
 
 constexpr double kGround_m = 246.70;  // the surveyed foot points, to a few centimetres
 constexpr double kGutterRadius_m = 0.038, kGutterTop_m = 249.53;
-constexpr double kSillDrop_m = 0.07;     // of an inclined sill, from the frame to the wall
-constexpr double kGlassBehind_m = 0.02;  // the frame's or leaf's front
-constexpr double kFrameWidth_m = 0.08;   // of frames, mullions
+constexpr double kSillDrop_m = 0.07;  // of an inclined sill, from the frame to the wall
+// Behind the front: the middle of a window's frame, 4 cm deep; of a door's leaf as far as the eight targets of the list
+// that stick on its pane lie behind what was surveyed of it, 6 mm on average (from -11 to 22).
+constexpr double kWindowPaneBehind_m = 0.02, kDoorPaneBehind_m = 0.006;
+constexpr double kFrameWidth_m = 0.08;                     // of frames, mullions
 constexpr double kCorrugation_m = 0.025, kPitch_m = 0.20;  // amplitude and wave length of the sheet
 constexpr double kTargetHalf_m = 0.05;
 
@@ -27,6 +29,7 @@ struct Opening {
   double depth_m = 0;  ///< of the frame's front behind the wall
   bool is_half_open = false, has_blind = false;
 
+  double pane_behind_m() const { return is_door ? kDoorPaneBehind_m : kWindowPaneBehind_m; }
   /// The panes of the frame, in the wall's coordinates.
   std::vector<Rect> lights() const;
   /// The hole in the wall: with its sill.

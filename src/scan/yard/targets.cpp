@@ -87,7 +87,7 @@ void put_on_pane(Target& target, const Side& side, const Opening& o, double u, d
       std::min_element(lights.begin(), lights.end(), [&](const Rect& a, const Rect& b) {
         return std::fabs(u - (a.u0 + a.u1) / 2) < std::fabs(u - (b.u0 + b.u1) / 2);
       });
-  put(target, side.front_of(o).raised(kPaper_m - kGlassBehind_m),
+  put(target, side.front_of(o).raised(kPaper_m - o.pane_behind_m()),
       std::clamp(u, nearest->u0 + kInLight_m, nearest->u1 - kInLight_m),
       std::clamp(v, nearest->v0 + kInLight_m, nearest->v1 - kInLight_m));
 }
