@@ -105,6 +105,13 @@ std::vector<PolygonWithHoles> short_ways(const std::vector<PolygonWithHoles>& pa
   return out;
 }
 
+std::vector<ContourPiece>::iterator part_about(const Chain& opening,
+                                               std::vector<ContourPiece>& parts, double spacing_m) {
+  return std::find_if(parts.begin(), parts.end(), [&](const ContourPiece& part) {
+    return is_apart(opening, part.outline, spacing_m);
+  });
+}
+
 }  // namespace
 
 std::vector<PolygonWithHoles> cut_out(const PolygonWithHoles& whole,
@@ -156,6 +163,100 @@ bool shows(const Contour& contour, std::span<const OpeningShape> openings) {
     if (!is_shown && !is_left_open(contour, opening)) return false;
   }
   return shown == holes.size();
+}
+
+Chain dense(std::span<const Vec2> polygon, double spacing_m) {
+  Chain out;
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i], d = polygon[(i + 1) % polygon.size()] - a;
+    const auto pieces = std::max<size_t>(1, static_cast<size_t>(std::ceil(norm(d) / spacing_m)));
+    for (size_t k = 0; k < pieces; ++k)
+      out.push_back(a + d * (static_cast<double>(k) / static_cast<double>(pieces)));
+  }
+  return out;
+}
+
+bool is_apart(const std::vector<Vec2>& polygon, const Chain& outline, double spacing_m) {
+  RingBox about;
+  about.add(polygon);
+  about = about.grown(kApart * spacing_m);
+  for (const Vec2& p : polygon)
+    if (!contains(outline, p)) return false;
+  for (size_t i = 0; i < outline.size(); ++i) {
+    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+    RingBox edge;
+    edge.add(a);
+    edge.add(b);
+    if (!edge.meets(about)) continue;
+    if (contains(polygon, a) || border_distance(polygon, a) < kApart * spacing_m) return false;
+    for (const Vec2& p : polygon)
+      if (segment_distance(p, a, b) < kApart * spacing_m) return false;
+  }
+  return true;
+}
+
+std::vector<PolygonWithHoles> those_meeting(const Chain& ring,
+                                            std::span<const PolygonWithHoles> polygons) {
+  RingBox around;
+  around.add(ring);
+  std::vector<PolygonWithHoles> out;
+  for (const PolygonWithHoles& polygon : polygons) {
+    RingBox box;
+    box.add(polygon.outline);
+    if (box.meets(around)) out.push_back(polygon);
+  }
+  return out;
+}
+
+std::vector<ContourPiece> parts_left(const ContourPiece& piece,
+                                     std::span<const PolygonWithHoles> cut, double spacing_m,
+                                     const ContourSetting& setting) {
+  std::vector<ContourPiece> out;
+  if (cut.empty()) {
+    out.push_back({piece.outline, {}, piece.area_m2});
+    return out;
+  }
+  const PolygonWithHoles whole{piece.outline, {}};
+  for (const PolygonWithHoles& left : cut_out(whole, cut, kApart * spacing_m)) {
+    const double area = signed_area(left.outline);
+    if (area >= setting.min_area_m2) out.push_back({dense(left.outline, spacing_m), {}, area});
+  }
+  return out;
+}
+
+std::vector<ContourPiece> cut_at_border(std::vector<ContourPiece> pieces,
+                                        std::span<const PolygonWithHoles> cut, double spacing_m,
+                                        const ContourSetting& setting) {
+  std::vector<ContourPiece> out;
+  for (ContourPiece& piece : pieces) {
+    std::vector<PolygonWithHoles> here = those_meeting(piece.outline, cut);
+    if (here.empty()) {
+      out.push_back(std::move(piece));
+      continue;
+    }
+    std::vector<ContourPiece> parts = parts_left(piece, here, spacing_m, setting);
+    std::vector<uint8_t> is_at_border(piece.openings.size(), 0);
+    // An opening that a place at the border comes near to is at the border then.
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (size_t k = 0; k < piece.openings.size(); ++k) {
+        const Chain opening = reversed_chain(piece.openings[k]);
+        if (is_at_border[k] != 0 || part_about(opening, parts, spacing_m) != parts.end()) continue;
+        here.push_back({opening, {}});
+        is_at_border[k] = 1;
+        is_changed = true;
+      }
+      if (is_changed) parts = parts_left(piece, here, spacing_m, setting);
+    }
+    for (size_t k = 0; k < piece.openings.size(); ++k) {
+      if (is_at_border[k] != 0) continue;
+      const auto part = part_about(reversed_chain(piece.openings[k]), parts, spacing_m);
+      part->openings.push_back(std::move(piece.openings[k]));
+      part->forms.push_back(piece.forms.empty() ? VectorRing{} : std::move(piece.forms[k]));
+    }
+    for (ContourPiece& part : parts) out.push_back(std::move(part));
+  }
+  return out;
 }
 
 }  // namespace jalon

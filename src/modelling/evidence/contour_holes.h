@@ -34,4 +34,26 @@ std::vector<Chain> holes_of(const Contour& contour, std::span<const OpeningShape
 /// goes round an opening at its border).
 bool shows(const Contour& contour, std::span<const OpeningShape> openings);
 
+inline constexpr double kApart = 0.5;  ///< spacings between openings, and from them to the border
+
+/// Corners no farther apart than a spacing.
+Chain dense(std::span<const Vec2> polygon, double spacing_m);
+
+/// Whether a polygon lies inside an outline, without a point of the outline inside or near it.
+bool is_apart(const std::vector<Vec2>& polygon, const Chain& outline, double spacing_m);
+
+/// Those whose box meets that of a ring.
+std::vector<PolygonWithHoles> those_meeting(const Chain& ring,
+                                            std::span<const PolygonWithHoles> polygons);
+
+/// What openings at the border and their ways out leave of a piece, its own openings left out.
+std::vector<ContourPiece> parts_left(const ContourPiece& piece,
+                                     std::span<const PolygonWithHoles> cut, double spacing_m,
+                                     const ContourSetting& setting);
+
+/// Pieces less places at their border that nobody measured, each with the openings that still lie inside it.
+std::vector<ContourPiece> cut_at_border(std::vector<ContourPiece> pieces,
+                                        std::span<const PolygonWithHoles> cut, double spacing_m,
+                                        const ContourSetting& setting);
+
 }  // namespace jalon

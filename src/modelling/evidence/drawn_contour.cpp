@@ -26,9 +26,8 @@ constexpr double kAtBorder_m = 0.06;  // and within this, a sill's or a threshol
 constexpr double kThrough = 3;  // times that: an opening at the border is cut so far beyond it
 constexpr int kPlaces = 9;      // along a side
 constexpr double kFormSigma =
-    0.25;                       // spacings: of borders fitted to points; measured on the grammar
-constexpr double kApart = 0.5;  // spacings between openings
-constexpr double kSlit = 0.5;   // spacings
+    0.25;                      // spacings: of borders fitted to points; measured on the grammar
+constexpr double kSlit = 0.5;  // spacings
 constexpr double kBesideOpening = 3;  // spacings from an opening to where nothing was measured
 
 // Step 1: a grid in the rim of each opening.
@@ -99,18 +98,6 @@ void add_relief(const WallCells& cells, std::span<const OpeningShape> openings,
     }
 }
 
-// Corners no farther apart than a spacing.
-Chain dense(std::span<const Vec2> polygon, double spacing_m) {
-  Chain out;
-  for (size_t i = 0; i < polygon.size(); ++i) {
-    const Vec2 a = polygon[i], d = polygon[(i + 1) % polygon.size()] - a;
-    const auto pieces = std::max<size_t>(1, static_cast<size_t>(std::ceil(norm(d) / spacing_m)));
-    for (size_t k = 0; k < pieces; ++k)
-      out.push_back(a + d * (static_cast<double>(k) / static_cast<double>(pieces)));
-  }
-  return out;
-}
-
 // An opening as the contour draws it.
 struct DrawnShape {
   OpeningShape shape;
@@ -174,26 +161,6 @@ PolygonWithHoles box_polygon(double left, double foot, double right, double head
   return {{{left, foot}, {right, foot}, {right, head}, {left, head}}, {}};
 }
 
-// Whether a polygon lies inside an outline, without a point of the outline inside or near it.
-bool is_apart(const std::vector<Vec2>& polygon, const Chain& outline, double spacing_m) {
-  RingBox about;
-  about.add(polygon);
-  about = about.grown(kApart * spacing_m);
-  for (const Vec2& p : polygon)
-    if (!contains(outline, p)) return false;
-  for (size_t i = 0; i < outline.size(); ++i) {
-    const Vec2 &a = outline[i], &b = outline[(i + 1) % outline.size()];
-    RingBox edge;
-    edge.add(a);
-    edge.add(b);
-    if (!edge.meets(about)) continue;
-    if (contains(polygon, a) || border_distance(polygon, a) < kApart * spacing_m) return false;
-    for (const Vec2& p : polygon)
-      if (segment_distance(p, a, b) < kApart * spacing_m) return false;
-  }
-  return true;
-}
-
 struct Cutting {
   std::vector<PolygonWithHoles> polygons;  ///< the opening and its ways out
   bool is_at_border = false;
@@ -228,23 +195,6 @@ Cutting cutting_of(const DrawnShape& drawn, const Chain& outline, double spacing
   }
   out.is_at_border =
       out.is_at_border || !is_apart(out.polygons.front().outline, outline, spacing_m);
-  return out;
-}
-
-// What openings at the border and their ways out leave of a piece.
-std::vector<ContourPiece> parts_left(const ContourPiece& piece,
-                                     std::span<const PolygonWithHoles> cut, double spacing_m,
-                                     const ContourSetting& setting) {
-  std::vector<ContourPiece> out;
-  if (cut.empty()) {
-    out.push_back({piece.outline, {}, piece.area_m2});
-    return out;
-  }
-  const PolygonWithHoles whole{piece.outline, {}};
-  for (const PolygonWithHoles& left : cut_out(whole, cut, kApart * spacing_m)) {
-    const double area = signed_area(left.outline);
-    if (area >= setting.min_area_m2) out.push_back({dense(left.outline, spacing_m), {}, area});
-  }
   return out;
 }
 
@@ -320,23 +270,10 @@ void add_taken(const DrawnShape& drawn, double spacing_m, std::vector<PolygonWit
     out.push_back(box_polygon(p.u - room, p.v - room, p.u + room, p.v + room));
 }
 
-std::vector<PolygonWithHoles> those_meeting(const Chain& hole,
-                                            std::span<const PolygonWithHoles> polygons) {
-  RingBox around;
-  around.add(hole);
-  std::vector<PolygonWithHoles> out;
-  for (const PolygonWithHoles& polygon : polygons) {
-    RingBox box;
-    box.add(polygon.outline);
-    if (box.meets(around)) out.push_back(polygon);
-  }
-  return out;
-}
-
 // Step 4.
 void add_unseen(const ContourPiece& piece, std::span<const DrawnShape> shapes, double spacing_m,
                 const ContourSetting& setting, std::vector<ContourPiece>& out) {
-  std::vector<PolygonWithHoles> beside;
+  std::vector<PolygonWithHoles> beside, cut;
   for (const DrawnShape& drawn : shapes) add_taken(drawn, spacing_m, beside);
   for (const Chain& hole : piece.openings) {
     for (const PolygonWithHoles& left :
@@ -345,14 +282,18 @@ void add_unseen(const ContourPiece& piece, std::span<const DrawnShape> shapes, d
       if (area < setting.min_opening_area_m2 ||
           equivalent_width(area, perimeter(left.outline)) < setting.min_opening_width_m)
         continue;
+      bool is_in = false;
       for (ContourPiece& part : out) {
         if (!is_apart(left.outline, part.outline, spacing_m)) continue;
         part.openings.push_back(reversed_chain(dense(left.outline, spacing_m)));
         part.forms.emplace_back();
+        is_in = true;
         break;
       }
+      if (!is_in) cut.push_back(left);
     }
   }
+  if (!cut.empty()) out = cut_at_border(std::move(out), cut, spacing_m, setting);
 }
 
 }  // namespace

@@ -96,3 +96,32 @@ TEST_CASE("shows__an_opening_that_the_outline_goes_round_too") {
   CHECK(shows(contour, std::vector{kLeftWindow, rectangle(4, 5, 0, 2.2)}));
   CHECK_FALSE(shows(contour, std::vector{kLeftWindow, rectangle(3, 4.2, 0, 2.2)}));
 }
+
+TEST_CASE("contour_holes__a_place_at_the_border_is_cut_out_and_takes_the_opening_that_it_touches") {
+  constexpr double kStep_m = 0.05;
+  const auto box = [](double u0, double u1, double v0, double v1) {
+    return std::vector<Vec2>{{u0, v0}, {u1, v0}, {u1, v1}, {u0, v1}};
+  };
+  ContourPiece wall;
+  wall.outline = dense(box(0, 10, 0, 6), kStep_m);
+  wall.area_m2 = 60;
+  const Chain far = box(7, 8, 3, 4), touched = box(4.01, 5, 2, 3);
+  wall.openings = {reversed_chain(far), reversed_chain(touched)};
+  wall.forms.resize(2);
+  const std::vector<PolygonWithHoles> cut{{box(2, 4, -0.1, 3), {}}};
+  const auto parts = cut_at_border({wall}, cut, kStep_m, ContourSetting{});
+  REQUIRE(parts.size() == 1);
+  REQUIRE(parts[0].openings.size() == 1);
+  REQUIRE(parts[0].forms.size() == 1);
+  CHECK(parts[0].openings[0] == reversed_chain(far));
+  CHECK(signed_area(parts[0].outline) == doctest::Approx(60 - 2 * 3 - 0.99).epsilon(0.01));
+}
+
+TEST_CASE("contour_holes__a_place_at_the_border_of_another_piece_leaves_a_piece_as_it_is") {
+  ContourPiece wall;
+  wall.outline = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const std::vector<PolygonWithHoles> cut{{{{5, 5}, {6, 5}, {6, 6}}, {}}};
+  const auto parts = cut_at_border({wall}, cut, 0.05, ContourSetting{});
+  REQUIRE(parts.size() == 1);
+  CHECK(parts[0].outline == wall.outline);
+}
