@@ -92,7 +92,8 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
   if (points.size() < 3) return out;
   // 1. Spacing and the widest gap that still joins neighbours.
   out.spacing_m = typical_spacing(points, task);
-  out.max_edge_m = widest_gap(points, out.spacing_m, setting, task);
+  const double typical_m = stepped_length(out.spacing_m);
+  out.max_edge_m = widest_gap(points, typical_m, setting, task);
   if (!(out.max_edge_m > 0)) return out;
   if (out.spacing_m == 0) out.spacing_m = out.max_edge_m / (2 * setting.alpha_factor);
   task.checkpoint(0);
@@ -112,7 +113,7 @@ Contour extract_contour(std::span<const Vec2> points, const ContourSetting& sett
   const bool is_local = setting.max_edge_m == 0;
   const auto triangles =
       setting.mode == ContourMode::kAlpha
-          ? alpha_triangles(band, out.max_edge_m / 2, is_local ? out.spacing_m : 0, task)
+          ? alpha_triangles(band, out.max_edge_m / 2, is_local ? typical_m : 0, task)
           : short_triangles(band, out.max_edge_m, task);
   task.checkpoint(0);
   // 4. Their borders as rings, piece by piece.  5. Outline and openings.

@@ -81,7 +81,7 @@ Sight prepared(const Segmentation& segmentation, const CellSource& source,
   out.spacing_m = typical_spacing(points, task);
   if (!(out.spacing_m > 0)) return sight;
   const double most = std::sqrt(box.width() * box.height() / kMostCells);
-  out.cell_m = std::max(kCellSpacings * out.spacing_m, most);
+  out.cell_m = std::max(kCellSpacings * stepped_length(out.spacing_m), most);
   const double margin = kMarginCells * out.cell_m;
   out.origin = box.low - Vec2{margin, margin};
   out.columns = static_cast<uint32_t>(std::ceil((box.width() + 2 * margin) / out.cell_m));

@@ -14,6 +14,7 @@ namespace {
 
 constexpr size_t kSamples = 1000;
 constexpr size_t kNeighbours = 8;
+constexpr double kStepsPerOctave = 8;
 constexpr double kSpacingQuantile = 0.75;
 // k points in a disc of radius d take pi d^2 / k each: spacing = sqrt(pi / 8) d.
 constexpr double kSpacingOfRadius = 0.62665706865775006;
@@ -77,6 +78,11 @@ double typical_spacing(std::span<const Vec2> points, Task& task) {
       static_cast<ptrdiff_t>(kSpacingQuantile * static_cast<double>(spacings.size() - 1));
   std::nth_element(spacings.begin(), at, spacings.end());
   return *at;
+}
+
+double stepped_length(double length_m) {
+  if (!(length_m > 0)) return 0;
+  return std::exp2(std::round(kStepsPerOctave * std::log2(length_m)) / kStepsPerOctave);
 }
 
 }  // namespace jalon

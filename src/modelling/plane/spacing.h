@@ -14,4 +14,9 @@ namespace jalon {
 /// equal.
 double typical_spacing(std::span<const Vec2> points, Task& task);
 
+/// The nearest of lengths that stand an eighth of an octave apart (9 %). A typical spacing comes from a sample: of the
+/// same points jittered by a tenth of a millimetre, or parted otherwise, it differs by half a per cent, and over a wall
+/// of 170 cells that is a cell. Rasters and limits taken from such a length are the same for clouds that are the same.
+double stepped_length(double length_m);
+
 }  // namespace jalon

@@ -93,16 +93,17 @@ Segmentation jettied() {
 }
 
 // A wall in two pieces; before the larger one, with or without windows, a narrow band runs all about most of it, in the
-// plane of the house farther along, which has large windows.
+// plane of the house farther along, which has large windows. The band is of two cells: what one of 1.2 cells encloses
+// is an opening or none by where the cells fall.
 Segmentation banded(bool has_windows) {
-  constexpr double kProud_m = 0.06;
+  constexpr double kProud_m = 0.06, kBand_m = 0.2;
   std::vector<std::vector<Vec3>> parts(3);
   add_layer(parts[0], 0, 0, 4, 8, 0);
   if (has_windows)
     for (const double v : {1.5, 4.5}) cut(parts[0], 1.4, v, 1.2, 1.6);
   add_layer(parts[1], 6, 0, 2, 8, 0);
   add_layer(parts[2], 0.2, 0.2, 3.6, 7.6, -kProud_m);
-  cut(parts[2], 0.32, 0.32, 3.36, 7.36);
+  cut(parts[2], 0.2 + kBand_m, 0.2 + kBand_m, 3.6 - 2 * kBand_m, 7.6 - 2 * kBand_m);
   add_layer(parts[2], 12, 0, 6, 6, -kProud_m);
   for (const double u : {12.7, 15.3})
     for (const double v : {0.7, 3.3}) cut(parts[2], u, v, 2, 2);

@@ -10,6 +10,7 @@
 #include "base/random.h"
 #include "modelling/evidence/wall_cells.h"
 #include "modelling/plane/segment_frame.h"
+#include "modelling/plane/spacing.h"
 #include "unit/modelling/walls.h"
 
 using namespace jalon;
@@ -84,7 +85,7 @@ TEST_CASE("wall_cells__without_stations_points_lie_straight_behind_and_before_th
     CHECK(state_at(cells, k + 0.5, 1.3) == WallState::kOn);
   }
   CHECK(cells.spacing_m == doctest::Approx(kPitch_m).epsilon(0.15));
-  CHECK(cells.cell_m == doctest::Approx(2.2 * cells.spacing_m));
+  CHECK(cells.cell_m == doctest::Approx(2.2 * stepped_length(cells.spacing_m)));
   CHECK(cells.at(0, 0) == WallState::kOutside);  // its margin
 }
 

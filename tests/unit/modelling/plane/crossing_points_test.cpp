@@ -54,14 +54,18 @@ struct PostUnderSoffit {
 }  // namespace
 
 TEST_CASE("contour__a_point_far_from_all_others_bounds_nothing") {
-  std::vector<Vec2> points;
-  for (double u = 0; u < 4; u += kSpacing)
-    for (double v = 0; v < 2; v += kSpacing) points.push_back({u, v});
-  Task task;
-  const double top = highest(extract_contour(points, {}, task));
-  points.push_back({1.3, top + 3 * kSpacing});
-  points.push_back({2.9, top + 3.5 * kSpacing});
-  CHECK(highest(extract_contour(points, {}, task)) == top);
+  // Far: farther than two cells of the raster, of two spacings (0.89 steps of a grid) each, wherever they fall.
+  for (const double height : {1.0, 1.1, 1.2, 1.3, 1.5, 1.6, 1.8, 2.0}) {
+    CAPTURE(height);
+    std::vector<Vec2> points;
+    for (double u = 0; u < 4; u += kSpacing)
+      for (double v = 0; v < height; v += kSpacing) points.push_back({u, v});
+    Task task;
+    const double top = highest(extract_contour(points, {}, task));
+    points.push_back({1.3, top + 4 * kSpacing});
+    points.push_back({2.9, top + 4.5 * kSpacing});
+    CHECK(highest(extract_contour(points, {}, task)) == top);
+  }
 }
 
 TEST_CASE("crossing_points__of_a_soffit_over_a_post_bound_nothing") {

@@ -65,3 +65,14 @@ TEST_CASE("spacing__is_0_of_too_few_points_and_of_equal_ones") {
   CHECK(typical_spacing(few, task) == 0);
   CHECK(typical_spacing(std::vector<Vec2>(20, Vec2{1, 1}), task) == 0);
 }
+
+TEST_CASE("spacing__in_steps_is_the_same_for_clouds_that_are_the_same") {
+  CHECK(stepped_length(0.1370) == stepped_length(0.1376));
+  CHECK(stepped_length(1) == 1);
+  CHECK(stepped_length(0) == 0);
+  for (double length_m = 0.001; length_m < 100; length_m *= 1.013) {
+    const double step = stepped_length(length_m);
+    CHECK(stepped_length(step) == step);
+    CHECK(std::fabs(std::log2(step / length_m)) <= 1.0 / 16 + 1e-12);
+  }
+}
