@@ -33,8 +33,9 @@ constexpr double kSameOpeningIou = 0.7;   // as of a match with the truth
 constexpr double kSamePlane_m = 0.05;     // faces of one wall
 constexpr double kRow_m = 0.01, kWallRow_m = 0.02;
 constexpr size_t kOtherOpenings = 1;  // "all openings within one"
-// Of street_1's runs today: five of seven have the same walls; openings differ by two and more, printed only.
-constexpr double kRealSameWalls = 0.7;
+// Runs with the same walls and all openings within one, each. Reached: six and seven of seven in the short form,
+// 146 and 148 of 159 in the long one.
+constexpr double kRealSame = 0.7, kRealSameInFull = 0.85;
 constexpr double kJitter_m = 0.0002;
 constexpr uint64_t kJitterStream = 21;
 
@@ -277,8 +278,9 @@ TEST_CASE("facade_stability__of_real_facades_under_changes_that_mean_nothing") {
   }
   const Stability all = print_changes("real", by_change);
   CHECK(all.runs > 0);
-  if (!is_full())
-    CHECK(static_cast<double>(all.same_walls) >= kRealSameWalls * static_cast<double>(all.runs));
+  const double least = (is_full() ? kRealSameInFull : kRealSame) * static_cast<double>(all.runs);
+  CHECK(static_cast<double>(all.same_walls) >= least);
+  CHECK(static_cast<double>(all.same_openings) >= least);
 }
 
 }  // namespace jalon::facade_stability_test
