@@ -76,7 +76,7 @@ enum {
  * 5. Where all has settled, with "exchange", "kernel" = tukey and "matches" = rays, explanations of the walls by the
  *    facades are compared as a whole (joint compatibility: Neira & Tardos 2001): a facade that is off by metres may
  *    have met the wall of a parallel neighbour, which no point is left for. What explains the points better by a clear
- *    margin (20 times as likely) is taken and the passes go on, three times at most; where no margin is clear the
+ *    margin (1000 times as likely) is taken and the passes go on, three times at most; where no margin is clear the
  *    facades that claim one wall are not adjusted.
  *
  * From the sixth pass on a point whose match still changes is left out, so that passes do not go to and fro
