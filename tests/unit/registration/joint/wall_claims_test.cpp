@@ -12,7 +12,7 @@ namespace jalon::wall_claims_test {
 
 namespace {
 
-// Two facades 8 m apart that look east, each of two strips 1.5 m wide and 9 m high, seen from x = 30; one wall of
+// Two facades 8 to 9 m apart that look east, each of two strips 1.5 m wide and 9 m high, seen from x = 30; one wall of
 // points. The second facade stands on the wall and has all of its points, as after a loop.
 struct TwoWalls {
   StripScene scene;
@@ -69,19 +69,19 @@ struct TwoWalls {
 }  // namespace
 
 TEST_CASE("wall_claims__of_a_wall_between_two_parallel_facades__are_worth_more_for_the_nearer") {
-  // 0.8 m before one facade, 5.2 m behind the other, which has come to stand there.
-  TwoWalls walls(0.8, -5.2);
+  // 0.8 m before one facade, 8 m behind the other, which has come to stand there.
+  TwoWalls walls(0.8, -8);
   walls.wall(0.5, 8.5);
   const std::vector<FacadeClaim> claims = walls.claims();
   REQUIRE(claims.size() == 2);
   CHECK(claims[0].facade == 1);
-  CHECK(claims[0].offset_m == doctest::Approx(5.2));
+  CHECK(claims[0].offset_m == doctest::Approx(8));
   CHECK(claims[0].stands_there);
   CHECK(claims[1].facade == 0);
   CHECK(claims[1].offset_m == doctest::Approx(-0.8));
   CHECK(!claims[1].stands_there);
   // Both explain all of the points: the prior tells them apart.
-  const double prior = (5.2 * 5.2 - 0.8 * 0.8) / 4 / 2;
+  const double prior = (8 * 8 - 0.8 * 0.8) / 4 / 2;
   CHECK(claims[1].worth - claims[0].worth == doctest::Approx(prior));
   const FacadeExchange found = exchange_facades(claims, 2);
   REQUIRE(found.moves.size() == 2);
