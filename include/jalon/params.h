@@ -75,7 +75,7 @@ JALON_API JALON_CHECK jalon_status jalon_params_set_int64(jalon_params* params, 
 /** Any value other than 0 is true. */
 JALON_API JALON_CHECK jalon_status jalon_params_set_bool(jalon_params* params, const char* name,
                                                          int32_t value);
-/** Also sets choices. */
+/** Also sets choices. value: UTF-8, at most 1 MiB. */
 JALON_API JALON_CHECK jalon_status jalon_params_set_string(jalon_params* params, const char* name,
                                                            const char* value);
 /** Each value must lie in the row's range. They are copied. */

@@ -86,6 +86,8 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  * Those before this line refine their planes with "global_planarity": segments that hold several planes
  * (the tolerance is wider than their steps) are parted by 2-means of plane equations over cells of the
  * segment, and all points shared out anew (Yu, Ferencz & Malik 2008; Cohen-Steiner et al. 2004).
+ * Of all of them a plane that only lines of points span, in the midst of others, is none: beams of a
+ * spinning head draw such lines, and any of these lies in some plane.
  * - "survey_codes": the objects that a coded total-station survey describes (master's thesis on
  *   feature codes for terrestrial laser scanning, University of Liege 2021). Parameter "codes" is
  *   the list as text, a line a point: ID;X;Y;Z;code in the cloud's system, where a code is sequence

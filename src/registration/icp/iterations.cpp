@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/icp/iterations.h"
-#include "spatial/quantile.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/rigid_motion.h"
+#include "spatial/quantile.h"
 
 namespace jalon {
 

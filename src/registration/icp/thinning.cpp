@@ -6,8 +6,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "cloud/subsample_cells.h"
 #include "cloud/spread.h"
+#include "cloud/subsample_cells.h"
 
 namespace jalon {
 

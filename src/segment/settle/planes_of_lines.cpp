@@ -19,7 +19,7 @@ constexpr uint32_t kNeighbours = 16;
 constexpr double kOwnNeighbours = 0.5;  // of a line that is dense along itself
 constexpr double kLeastEdge =
     4;                          // tolerances: in smaller cells a slab as thick as it is no surface
-constexpr int kMostLevels = 5;  // cells up to 32 times as wide: lines that far apart show nothing
+constexpr int kMostLevels = 5;  // cells up to 16 times as wide: lines that far apart show nothing
 constexpr size_t kMostLooked = 512;  // points of a cell: they tell its plane
 // Standard deviations. A full square has 0.29 of its edge; half of that is a surface and no line. Noise, and a surface
 // that bends, are a third of it at most.
