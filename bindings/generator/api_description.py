@@ -84,6 +84,7 @@ NULLABLE = {
     "jalon_report_write_html.model", "jalon_report_write_json.model",
     "jalon_report_write_comparison.reverse", "jalon_report_write_comparison.changes",
     "jalon_report_write_adjustment.truth", "jalon_report_write_clearance.cloud",
+    "jalon_report_write_clearance.gauge", "jalon_report_write_clearance.model",
     "jalon_report_write_registration.reference", "jalon_report_write_registration.moving",
     "jalon_trajectory_create.crs",
     "jalon_model_building_strips.model", "jalon_model_building_strips.strips",

@@ -135,22 +135,25 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(
 /**
  * One self-contained HTML page on the run of a gauge: least clearance, the clearance along the way, a table of the
  * tight places (each the tightest obstacle within "apart_m"), at the tightest of them sections across the travel with
- * the outline of the gauge and the points of the cloud, to scale, and the cloud in the colours of its clearances.
+ * the outline of the gauge, the points of the cloud and the cut of the model, to scale, and cloud and model (as points
+ * on its surface) in the colours of their clearances.
  *
  * - places, intervals: what jalon_gauge_sweep or jalon_gauge_sweep_model gave.
- * - pieces, hull_points: of jalon_gauge_sweep; piece_count 0: sections without the gauge's outline.
+ * - pieces, hull_points: of jalon_gauge_sweep; gauge: of jalon_gauge_sweep_model. piece_count 0 and gauge NULL:
+ *   sections without the gauge's outline; both: JALON_ERROR_INVALID_ARGUMENT.
  * - poses: those of the sweep.
- * - cloud: that of the sweep, or NULL: without its points.
+ * - cloud, model: those of the sweep, or NULL: without its points, without its cuts.
  * - notes_json: as in jalon_report_write_html.
  * - options: operation "clearance_report"; "margin_m" is that of the sweep.
  *
- * JALON_ERROR_INVALID_ARGUMENT for other tables. O(sections n).
+ * JALON_ERROR_INVALID_ARGUMENT for other tables. O(sections (points + triangles)).
  */
 JALON_API JALON_CHECK jalon_status jalon_report_write_clearance(
     const jalon_fields* places, const jalon_fields* intervals, const jalon_gauge_piece* pieces,
     uint64_t piece_count, const double* hull_points, uint64_t hull_point_count,
-    const jalon_transform* poses, uint64_t pose_count, const jalon_cloud* cloud,
-    const char* notes_json, const char* path, const jalon_params* options, jalon_task* task);
+    const jalon_model* gauge, const jalon_transform* poses, uint64_t pose_count,
+    const jalon_cloud* cloud, const jalon_model* model, const char* notes_json, const char* path,
+    const jalon_params* options, jalon_task* task);
 
 /**
  * One self-contained HTML page on a registration: whether it converged or why it stopped, the pose

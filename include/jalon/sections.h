@@ -60,8 +60,8 @@ JALON_API void jalon_sections_release(jalon_sections* sections);
  *     points_on_lines  uint64       -     points that lines were made of
  *     lines            uint64       -
  *     length           float64      m     of the lines
- *     rms              float64      m     of the points' distances from their lines
- *     max              float64      m     largest distance of a point from its line
+ *     rms              float64      m     of the points' distances from their lines; NaN without lines
+ *     max              float64      m     largest distance of a point from its line; NaN without lines
  *     cell             float64      m     side of the cells that the points were thinned by
  */
 JALON_API JALON_CHECK jalon_status jalon_sections_summary(const jalon_sections* sections,

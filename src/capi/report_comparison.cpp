@@ -63,8 +63,9 @@ jalon_status jalon_report_write_comparison(const jalon_comparison* forward,
 jalon_status jalon_report_write_clearance(const jalon_fields* places, const jalon_fields* intervals,
                                           const jalon_gauge_piece* pieces, uint64_t piece_count,
                                           const double* hull_points, uint64_t hull_point_count,
-                                          const jalon_transform* poses, uint64_t pose_count,
-                                          const jalon_cloud* cloud, const char* notes_json,
+                                          const jalon_model* gauge, const jalon_transform* poses,
+                                          uint64_t pose_count, const jalon_cloud* cloud,
+                                          const jalon_model* model, const char* notes_json,
                                           const char* path, const jalon_params* options,
                                           jalon_task* task) {
   return guard([&] {
@@ -77,10 +78,14 @@ jalon_status jalon_report_write_clearance(const jalon_fields* places, const jalo
                  intervals->table,
                  {},
                  pose_list(poses, pose_count),
-                 cloud != nullptr ? cloud->cloud : nullptr};
+                 cloud != nullptr ? cloud->cloud : nullptr,
+                 model != nullptr ? model->model : nullptr};
     for (const Transform& pose : run.poses) require_rigid(pose, "a pose");
+    if (piece_count > 0 && gauge != nullptr)
+      fail(Status::kInvalidArgument, "give the gauge's pieces or its model, not both");
     if (piece_count > 0)
       run.gauge = gauge_outlines(pieces, piece_count, hull_points, hull_point_count);
+    else if (gauge != nullptr) run.gauge = gauge_corners(*gauge->model, kDrawnChord_m);
     with_task(task, [&](Task& t) { write_whole(target, clearance_html(run, notes, settings, t)); });
   });
 }

@@ -141,7 +141,8 @@ struct Clearance {
     const std::vector<jalon_transform> poses = read_trajectory(trajectory);
     jalon_model* model = scene.models.empty() ? nullptr : scene.models[0].get();
     Fields place_fields, interval_fields;
-    Gauge pieces;  // of a model none: the sections do without its outline
+    Gauge pieces;  // or a model:
+    Model shape;
     if (lower_end(gauge, 5) == ".json" && lower_end(gauge, 10) != ".city.json") {
       pieces = read_gauge(gauge);
       console.step("sweeping");
@@ -150,7 +151,6 @@ struct Clearance {
                              scene.cloud.get(), model, options.get(), console.task(),
                              Out(place_fields), Out(interval_fields)));
     } else {
-      Model shape;
       must_read(jalon_model_read(gauge.c_str(), nullptr, console.task(), Out(shape)));
       console.step("sweeping");
       must(jalon_gauge_sweep_model(shape.get(), poses.data(), poses.size(), scene.cloud.get(),
@@ -169,10 +169,11 @@ struct Clearance {
       double margin = 0;
       must(jalon_params_get_double(options.get(), "margin_m", &margin));
       must(jalon_params_set_double(wanted.get(), "margin_m", margin));
-      must(jalon_report_write_clearance(
-          places.fields(), intervals.fields(), pieces.pieces.data(), pieces.pieces.size(),
-          pieces.hull_points.data(), pieces.hull_points.size() / 3, poses.data(), poses.size(),
-          scene.cloud.get(), text.c_str(), path.c_str(), wanted.get(), console.task()));
+      must(jalon_report_write_clearance(places.fields(), intervals.fields(), pieces.pieces.data(),
+                                        pieces.pieces.size(), pieces.hull_points.data(),
+                                        pieces.hull_points.size() / 3, shape.get(), poses.data(),
+                                        poses.size(), scene.cloud.get(), model, text.c_str(),
+                                        path.c_str(), wanted.get(), console.task()));
     };
     report(console, options, poses.size(), places, intervals, result, scene.lengths, page);
   }

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
+#include <cmath>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "cli/lengths.h"
 #include "cli/options.h"
@@ -94,11 +96,13 @@ struct SectionJob {
   static void say(const Console& console, const Json& rows, const Lengths& lengths) {
     for (uint64_t s = 0; s < rows.size() && s < kMostSectionsListed; ++s) {
       const Json& row = rows[s];
-      console.say(row["name"].get<std::string>() + ": " + row["lines"].dump() +
-                  (row["lines"] == 1 ? " line, " : " lines, ") +
-                  fixed(row["length"].get<double>(), 2) + " " + lengths.length() + ", " +
-                  grouped(row["points"].get<uint64_t>()) + " points, rms " +
-                  lengths.fine(row["rms"].get<double>(), 1) + " " + lengths.fine());
+      console.say(
+          row["name"].get<std::string>() + ": " + row["lines"].dump() +
+          (row["lines"] == 1 ? " line, " : " lines, ") + fixed(row["length"].get<double>(), 2) +
+          " " + lengths.length() + ", " + grouped(row["points"].get<uint64_t>()) + " points" +
+          (std::isnan(row["rms"].get<double>())
+               ? ""
+               : ", rms " + lengths.fine(row["rms"].get<double>(), 1) + " " + lengths.fine()));
     }
     if (rows.size() > kMostSectionsListed)
       console.say("... " + grouped(rows.size()) + " sections in sections.csv");

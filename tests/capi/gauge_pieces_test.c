@@ -29,8 +29,8 @@ static int outlines_of(int32_t kind, uint64_t piece_count) {
   OK(jalon_cloud_create(xyz, JALON_FLOAT64, 1, 0, 0, &cloud));
   OK(jalon_gauge_sweep(&piece, 1, hull, 4, poses, 2, cloud, NULL, NULL, NULL, &places, &intervals));
   const char* path = "gauge_pieces.html";
-  OK(jalon_report_write_clearance(places, intervals, &piece, piece_count, hull, 4, poses, 2, cloud,
-                                  NULL, path, NULL, NULL));
+  OK(jalon_report_write_clearance(places, intervals, &piece, piece_count, hull, 4, NULL, poses, 2,
+                                  cloud, NULL, NULL, path, NULL, NULL));
   FILE* file = fopen(path, "rb");
   assert_non_null(file);
   char* page = calloc(1, 1 << 20);
@@ -42,12 +42,12 @@ static int outlines_of(int32_t kind, uint64_t piece_count) {
   for (const char* at = page; (at = strstr(at, "fill-opacity=\"0.15\"")) != NULL; ++at) ++count;
   free(page);
   piece.kind = 9;
-  INVALID(jalon_report_write_clearance(places, intervals, &piece, 1, hull, 4, poses, 2, cloud, NULL,
-                                       path, NULL, NULL));
-  INVALID(jalon_report_write_clearance(places, intervals, NULL, 0, NULL, 0, poses, 0, cloud, NULL,
-                                       path, NULL, NULL));
-  INVALID(jalon_report_write_clearance(NULL, intervals, NULL, 0, NULL, 0, poses, 2, cloud, NULL,
-                                       path, NULL, NULL));
+  INVALID(jalon_report_write_clearance(places, intervals, &piece, 1, hull, 4, NULL, poses, 2, cloud,
+                                       NULL, NULL, path, NULL, NULL));
+  INVALID(jalon_report_write_clearance(places, intervals, NULL, 0, NULL, 0, NULL, poses, 0, cloud,
+                                       NULL, NULL, path, NULL, NULL));
+  INVALID(jalon_report_write_clearance(NULL, intervals, NULL, 0, NULL, 0, NULL, poses, 2, cloud,
+                                       NULL, NULL, path, NULL, NULL));
   jalon_fields_release(places);
   jalon_fields_release(intervals);
   jalon_cloud_release(cloud);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "base/table_columns.h"
 #include "cloud/sections/sections.h"
@@ -46,6 +47,9 @@ std::vector<VertexRow> vertex_rows(const Sections& sections) {
 
 void put(const Vec3& v, double* out) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
 
+// What no line was measured of is no 0.
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
 // Of all lines of a section, by their points.
 double rms_of(const Section& section) {
   double sum = 0, n = 0;
@@ -53,7 +57,7 @@ double rms_of(const Section& section) {
     sum += line.rms_m * line.rms_m * static_cast<double>(line.points);
     n += static_cast<double>(line.points);
   }
-  return n > 0 ? std::sqrt(sum / n) : 0;
+  return n > 0 ? std::sqrt(sum / n) : kNotMeasured;
 }
 
 template <class F>
@@ -90,7 +94,7 @@ FieldTable section_table(const Sections& sections) {
   add_column<double>(table, rows, "rms", "m", "of the points' distances from their lines", rms_of);
   add_column<double>(table, rows, "max", "m", "largest distance of a point from its line",
                      [](const Section& s) {
-                       double largest = 0;
+                       double largest = s.lines.empty() ? kNotMeasured : 0;
                        for (const SectionLine& line : s.lines)
                          largest = std::max(largest, line.max_m);
                        return largest;

@@ -83,6 +83,19 @@ ConvexPiece convex_piece_of(const PartTriangles& surface, const std::string& nam
   return piece;
 }
 
+// of(surface, name) for each part of a gauge that has a surface of its own, then for what is of no part.
+template <class Of>
+void for_each_piece(const Model& model, double chord_m, Of of) {
+  if (has_arcs(model)) return for_each_piece(with_chords(model, chord_m), chord_m, of);
+  for (uint64_t p = 0; p < model.parts.size(); ++p) {
+    const PartTriangles surface = collect(model, [&](uint64_t part) { return part == p; });
+    if (!surface.triangles.empty())
+      of(surface, "part " + std::to_string(p) + " (" + model.parts[p].name + ")");
+  }
+  const PartTriangles rest = collect(model, [](uint64_t part) { return part == kNoRow; });
+  if (!rest.triangles.empty()) of(rest, "the mesh");
+}
+
 }  // namespace
 
 PartTriangles triangles_of_part(const Model& model, uint64_t part, double chord_m) {
@@ -100,18 +113,20 @@ PartTriangles triangles_of_part(const Model& model, uint64_t part, double chord_
 }
 
 std::vector<ConvexPiece> gauge_of_model(const Model& model, double chord_m) {
-  if (has_arcs(model)) return gauge_of_model(with_chords(model, chord_m), chord_m);
   std::vector<ConvexPiece> pieces;
-  for (uint64_t p = 0; p < model.parts.size(); ++p) {
-    const PartTriangles surface = collect(model, [&](uint64_t part) { return part == p; });
-    if (surface.triangles.empty()) continue;
-    pieces.push_back(
-        convex_piece_of(surface, "part " + std::to_string(p) + " (" + model.parts[p].name + ")"));
-  }
-  const PartTriangles rest = collect(model, [](uint64_t part) { return part == kNoRow; });
-  if (!rest.triangles.empty()) pieces.push_back(convex_piece_of(rest, "the mesh"));
+  for_each_piece(model, chord_m, [&](const PartTriangles& surface, const std::string& name) {
+    pieces.push_back(convex_piece_of(surface, name));
+  });
   if (pieces.empty()) fail(Status::kInsufficientData, "the gauge has no surface");
   return pieces;
+}
+
+std::vector<std::vector<Vec3>> gauge_corners(const Model& model, double chord_m) {
+  std::vector<std::vector<Vec3>> corners;
+  for_each_piece(model, chord_m, [&](const PartTriangles& surface, const std::string&) {
+    corners.push_back(surface.vertices);
+  });
+  return corners;
 }
 
 }  // namespace jalon

@@ -36,5 +36,7 @@ PartTriangles triangles_of_part(const Model& model, uint64_t part, double chord_
 /// One convex piece for each part that has a surface of its own, in their order; one for all without parts. Throws
 /// kInvalidArgument naming a part that is not convex, kDegenerate a flat one.
 std::vector<ConvexPiece> gauge_of_model(const Model& model, double chord_m);
+/// The corners of the same pieces, whose hulls they are, convex or not: for drawings.
+std::vector<std::vector<Vec3>> gauge_corners(const Model& model, double chord_m);
 
 }  // namespace jalon

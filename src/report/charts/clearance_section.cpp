@@ -8,6 +8,7 @@
 #include "base/text_number.h"
 #include "formats/drawings/svg_writer.h"
 #include "geometry/polygon2.h"
+#include "report/charts/section_cut.h"
 #include "report/sheet/sheet.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
@@ -91,6 +92,25 @@ void draw_cut_points(SvgWriter& svg, const CutWindow& window, const Cloud& cloud
                       {"stroke-linecap", "round"}});
 }
 
+// Of lines that reach beyond the window its border shows the part within.
+void draw_cut_surface(SvgWriter& svg, const CutWindow& window,
+                      std::span<const std::array<Vec2, 2>> lines) {
+  std::string path;
+  for (const auto& line : lines) {
+    const auto within = clipped_to(window.low, window.high, line);
+    if (!within) continue;
+    const Vec2 from = window.at((*within)[0]), to = window.at((*within)[1]);
+    path += "M" + svg_number(from.u, 2) + " " + svg_number(from.v, 2) + "L" + svg_number(to.u, 2) +
+            " " + svg_number(to.v, 2);
+  }
+  if (!path.empty())
+    svg.leaf("path", {{"d", path},
+                      {"fill", "none"},
+                      {"stroke", kInk},
+                      {"stroke-width", 0.4},
+                      {"stroke-linecap", "round"}});
+}
+
 void draw_cut_gauge(SvgWriter& svg, const CutWindow& window, const Outlines& outlines) {
   Outlines rings;
   for (const std::vector<Vec2>& ring : outlines) {
@@ -159,7 +179,8 @@ void draw_cut_place(SvgWriter& svg, const CutWindow& window, const TightPlace& p
 }  // namespace
 
 std::string clearance_section(const TightPlace& place, size_t number, const GaugePath& path,
-                              std::span<const std::vector<Vec3>> gauge, const Cloud* cloud) {
+                              std::span<const std::vector<Vec3>> gauge, const Cloud* cloud,
+                              const PartTriangles* surface) {
   const Outlines outlines = outlines_of(gauge, path.section_of_gauge(place.parameter));
   const CutWindow window = window_of(outlines, place);
   Sheet sheet;
@@ -176,6 +197,9 @@ std::string clearance_section(const TightPlace& place, size_t number, const Gaug
   draw_cut_gauge(svg, window, outlines);
   if (cloud != nullptr)
     draw_cut_points(svg, window, *cloud, path.section(place.parameter), place.in_section.z);
+  if (surface != nullptr)
+    draw_cut_surface(svg, window,
+                     section_cut(*surface, path.section(place.parameter), place.in_section.z));
   draw_cut_axes(svg, window);
   draw_cut_place(svg, window, place);
   return svg.take();

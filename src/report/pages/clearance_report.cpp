@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/error.h"
 #include "base/setting_rows.h"
 #include "base/text_number.h"
+#include "compare/distance/model_sample.h"
 #include "report/charts/clearance_chart.h"
 #include "report/charts/clearance_section.h"
 #include "report/pages/clearance_view.h"
@@ -118,7 +120,8 @@ void add_tight_table(Page& page, const GaugeRun& run, std::span<const TightPlace
 }
 
 void add_sections(Page& page, const GaugeRun& run, const GaugePath& path,
-                  std::span<const TightPlace> tight, int64_t most, Task& task) {
+                  std::span<const TightPlace> tight, const PartTriangles* surface, int64_t most,
+                  Task& task) {
   const size_t count = std::min(tight.size(), static_cast<size_t>(most));
   if (count == 0) return;
   page.heading("Sections at the tight places");
@@ -126,16 +129,35 @@ void add_sections(Page& page, const GaugeRun& run, const GaugePath& path,
   for (size_t i = 0; i < count; ++i) {
     page.html()
         .open("div")
-        .raw(clearance_section(tight[i], i + 1, path, run.gauge, run.cloud.get()))
+        .raw(clearance_section(tight[i], i + 1, path, run.gauge, run.cloud.get(), surface))
         .close();
     task.checkpoint(static_cast<double>(i + 1) / static_cast<double>(count));
   }
   page.html().close();
   if (!run.gauge.empty())
-    page.note(
-        "Blue: the outline of each piece of the gauge, seen along the travel. Red: from the "
-        "obstacle to the "
-        "nearest point of the gauge; it may lean out of the section.");
+    page.note(std::string("Blue: the outline of each piece of the gauge, seen along the travel. ") +
+              (surface != nullptr ? "Black: the model, cut. " : "") +
+              "Red: from the obstacle to the nearest point of the gauge; it may lean out of the "
+              "section.");
+}
+
+bool has_surface(const Model* model) {
+  return model != nullptr && !(model->faces.empty() && model->triangles.empty());
+}
+
+std::optional<PartTriangles> surface_of(const Model* model) {
+  if (!has_surface(model)) return std::nullopt;
+  return triangles_of_part(*model, kWholeModel, kDrawnChord_m);
+}
+
+// What the view shows of a model.
+CloudPtr points_on(const Model* model, int64_t viewer_points, Task& task) {
+  constexpr int64_t kMostOnModel = 300000;
+  if (!has_surface(model) || viewer_points == 0) return nullptr;
+  ModelSampleSettings settings;
+  settings.points = static_cast<uint64_t>(std::min(viewer_points, kMostOnModel));
+  settings.chord_error_m = kDrawnChord_m;
+  return std::make_shared<const Cloud>(sample_model(*model, settings, task));
 }
 
 }  // namespace
@@ -165,10 +187,12 @@ std::string clearance_html(const GaugeRun& run, std::string_view notes_json,
         "free; blank: nothing within reach. Numbers are those of the tight places.");
   }
   add_tight_table(page, run, tight, settings.apart_m);
-  add_sections(page, run, path, tight, settings.sections, task);
-  if (run.cloud != nullptr && run.cloud->size() > 0)
-    add_viewer(page, clearance_scene(run.cloud, run.places, path, tight, settings.margin_m),
-               settings.viewer_points, task);
+  const std::optional<PartTriangles> surface = surface_of(run.model.get());
+  add_sections(page, run, path, tight, surface ? &*surface : nullptr, settings.sections, task);
+  add_viewer(page,
+             clearance_scene(run.cloud, points_on(run.model.get(), settings.viewer_points, task),
+                             run.places, path, tight, settings.margin_m),
+             settings.viewer_points, task);
   if (!notes.input.empty()) {
     page.heading("Input");
     add_pairs(page, notes.input);

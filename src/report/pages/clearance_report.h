@@ -10,6 +10,7 @@
 #include "base/params.h"
 #include "base/task.h"
 #include "cloud/cloud.h"
+#include "model/model.h"
 #include "report/settings.h"
 
 namespace jalon {
@@ -30,7 +31,10 @@ struct GaugeRun {
       gauge;  ///< of each piece points whose hull it is, in the gauge's frame; may be empty
   std::vector<Transform> poses;  ///< at least one
   CloudPtr cloud;                ///< may be nullptr
+  ModelPtr model;                ///< may be nullptr
 };
+
+constexpr double kDrawnChord_m = 0.001;  ///< arcs of models are drawn as chords this close to them
 
 /// The page on it: least clearance, the clearance along the way, the tight places with their sections, the view.
 std::string clearance_html(const GaugeRun& run, std::string_view notes_json,

@@ -180,9 +180,17 @@ class Models(unittest.TestCase):
             self.assertEqual(intervals["near"].tolist(), [2])
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "clearance.html")
-            jalon.report_write_clearance(*results[0], gauge, forms[0], path, cloud)
+            jalon.report_write_clearance(*results[0], gauge, forms[0], path, cloud=cloud)
             with open(path, encoding="utf-8") as page:
                 self.assertIn("Tight places", page.read())
+            block = cube(1, (-0.5, -0.5, -0.5))
+            jalon.report_write_clearance(*results[0], jalon.Gauge(), forms[0], path, gauge=block, model=cube(2, (4, -1, 5)))
+            with open(path, encoding="utf-8") as page:
+                text = page.read()
+            self.assertIn("Black: the model, cut", text)
+            self.assertIn("points on the model", text)
+            with self.assertRaisesRegex(ValueError, "not both"):
+                jalon.report_write_clearance(*results[0], gauge, forms[0], path, gauge=block)
         many = jalon.gauge_sweep(gauge, [pose_at(x) for x in range(4)], cloud, margin_m=0.5)
         self.assertEqual(len(many.intervals), 3)
         as_model = jalon.gauge_sweep_model(cube(1, (-0.5, -0.5, -0.5)), [pose_at(0), pose_at(10)], cloud, margin_m=0.5)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "cloud/sections/sections.h"
 #include "unit/cloud/clouds.h"
 
@@ -33,6 +35,10 @@ TEST_CASE("section_tables__count_points_lines_and_vertices") {
   CHECK(cuts.require("lines").values<uint64_t>()[0] == 1);
   CHECK(cuts.require("lines").values<uint64_t>()[2] == 0);
   CHECK(cuts.require("points").values<uint64_t>()[2] == 0);
+  for (const char* measured : {"rms", "max"}) {
+    CHECK(!std::isnan(cuts.require(measured).values<double>()[0]));
+    CHECK(std::isnan(cuts.require(measured).values<double>()[2]));
+  }
   CHECK(cuts.require("length").values<double>()[0] == doctest::Approx(20).epsilon(0.001));
   CHECK(cuts.require("max").values<double>()[0] < 1e-6);
   const auto of_section = lines.require("section").values<uint32_t>();

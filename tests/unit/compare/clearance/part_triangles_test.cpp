@@ -6,6 +6,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <numbers>
 #include <set>
 
@@ -126,6 +127,17 @@ TEST_CASE("triangles_of_part__names_the_part_that_is_not_there_and_refuses_one_w
   Model circle = model;  // parts that are below each other end
   circle.parts[3].parent = 0;
   CHECK(area_of(triangles_of_part(circle, 0, 0.001)) == doctest::Approx(13).epsilon(1e-15));
+}
+
+TEST_CASE("gauge_corners__are_those_of_each_part") {
+  const auto corners = gauge_corners(cubes(3), 0.001);
+  REQUIRE(corners.size() == 3);
+  for (size_t i = 0; i < 3; ++i) {
+    CHECK(corners[i].size() == 8);
+    for (const Vec3& p : corners[i])
+      CHECK(std::abs(p.x - 2.0 * static_cast<double>(i) - 0.5) == 0.5);
+  }
+  CHECK(gauge_corners(Model{}, 0.001).empty());
 }
 
 TEST_CASE("gauge_of_model__has_a_body_for_each_convex_part_and_names_one_that_is_not") {

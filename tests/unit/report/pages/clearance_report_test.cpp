@@ -13,8 +13,9 @@ namespace {
 
 GaugeRun clearance_run() {
   SweepTables tables = swept::tables();
-  return {std::move(tables.places), std::move(tables.intervals), swept::corners(), swept::way(),
-          swept::obstacles()};
+  return {std::move(tables.places), std::move(tables.intervals),
+          swept::corners(),         swept::way(),
+          swept::obstacles(),       nullptr};
 }
 
 }  // namespace
