@@ -22,11 +22,20 @@ struct Kind {
   double f, r, s, rr, rs, ss;
 };
 
-Kind core_kind(double r, const Contamination& c) {
-  const double sigma = c.sigma_m, k = c.tolerance_m / sigma, q = r * r / (sigma * sigma);
-  const double lost = lost_by_truncation(c.tolerance_m, sigma),
-               more_lost = lost * (k * k - 1) + lost * lost;
-  const double f = normal_density(r / sigma) / (sigma * (2 * normal_distribution(k) - 1));
+/// What is the same at all distances.
+struct Cut {
+  double k, kept, lost;  ///< tolerance / sigma; 2 Phi(k) - 1; see lost_by_truncation()
+
+  explicit Cut(const Contamination& c)
+      : k(c.tolerance_m / c.sigma_m),
+        kept(2 * normal_distribution(k) - 1),
+        lost(2 * k * normal_density(k) / kept) {}
+};
+
+Kind core_kind(double r, double density, const Contamination& c, const Cut& cut) {
+  const double sigma = c.sigma_m, k = cut.k, q = r * r / (sigma * sigma);
+  const double lost = cut.lost, more_lost = lost * (k * k - 1) + lost * lost;
+  const double f = density / (sigma * cut.kept);
   const double inverse = 1 / (sigma * sigma), by_s = q - 1 + lost;
   // The cut moves with the plane: that takes its part from the curvature along r.
   return {f,
@@ -37,9 +46,9 @@ Kind core_kind(double r, const Contamination& c) {
           (by_s * by_s - 2 * q + more_lost) * f};
 }
 
-Kind front_kind(double r, const Contamination& c) {
+Kind front_kind(double r, double density, const Contamination& c) {
   const double z = r / c.sigma_m;
-  const double g = normal_density(z) / (c.sigma_m * c.tolerance_m);
+  const double g = density / (c.sigma_m * c.tolerance_m);
   return {normal_distribution(z) / c.tolerance_m,
           g,
           -r * g,
@@ -52,16 +61,30 @@ Kind mirrored(const Kind& front, const Contamination& c) {
   return {1 / c.tolerance_m - front.f, -front.r, -front.s, -front.rr, -front.rs, -front.ss};
 }
 
+/// What is mixed at one distance.
+struct Kinds {
+  Kind core, front, behind;
+
+  Kinds(double r, const Contamination& c, const Cut& cut)
+      : Kinds(r, normal_density(r / c.sigma_m), c, cut) {}
+
+ private:
+  Kinds(double r, double normal, const Contamination& c, const Cut& cut)
+      : core(core_kind(r, normal, c, cut)),
+        front(front_kind(r, normal, c)),
+        behind(mirrored(front, c)) {}
+};
+
 /// All that is known at one distance.
 struct Mixture {
-  Kind core, front, behind;
+  const Kind &core, &front, &behind;
   double shares[3];
   double density;
 
-  Mixture(double r, const Contamination& c)
-      : core(core_kind(r, c)),
-        front(front_kind(r, c)),
-        behind(mirrored(front, c)),
+  Mixture(const Kinds& kinds, const Contamination& c)
+      : core(kinds.core),
+        front(kinds.front),
+        behind(kinds.behind),
         shares{c.core(), c.front, c.behind},
         density(std::max(mixed(&Kind::f), kLeastDensity)) {}
   double mixed(double Kind::*part) const {
@@ -100,18 +123,34 @@ double lost_by_truncation(double tolerance_m, double sigma_m) {
   return 2 * k * normal_density(k) / (2 * normal_distribution(k) - 1);
 }
 
+ContaminationTable::ContaminationTable(double tolerance_m, double sigma_m)
+    : tolerance_m_(tolerance_m) {
+  const double intervals = 2 * std::ceil(kNodesPerSigma * tolerance_m / sigma_m);
+  per_m_ = intervals / (2 * tolerance_m);
+  weights_.resize(static_cast<size_t>(intervals) + 1);
+}
+
 ContaminationTable::ContaminationTable(const Contamination& c, bool with_derivatives)
-    : tolerance_m_(c.tolerance_m) {
-  const double intervals = 2 * std::ceil(kNodesPerSigma * c.tolerance_m / c.sigma_m);
-  per_m_ = intervals / (2 * c.tolerance_m);
-  const size_t nodes = static_cast<size_t>(intervals) + 1;
-  weights_.resize(nodes);
-  if (with_derivatives) derivatives_.resize(nodes);
+    : ContaminationTable(of_zones({&c, 1}, with_derivatives)[0]) {}
+
+std::vector<ContaminationTable> ContaminationTable::of_zones(std::span<const Contamination> zones,
+                                                             bool with_derivatives) {
+  const double tolerance_m = zones[0].tolerance_m;
+  std::vector<ContaminationTable> tables(zones.size(),
+                                         ContaminationTable(tolerance_m, zones[0].sigma_m));
+  const Cut cut(zones[0]);
+  const size_t nodes = tables[0].weights_.size();
+  for (ContaminationTable& table : tables)
+    if (with_derivatives) table.derivatives_.resize(nodes);
   for (size_t i = 0; i < nodes; ++i) {
-    const Mixture mixture(static_cast<double>(i) / per_m_ - tolerance_m_, c);
-    weights_[i] = weights_at(mixture);
-    if (with_derivatives) derivatives_[i] = derivatives_at(mixture);
+    const Kinds kinds(static_cast<double>(i) / tables[0].per_m_ - tolerance_m, zones[0], cut);
+    for (size_t z = 0; z < zones.size(); ++z) {
+      const Mixture mixture(kinds, zones[z]);
+      tables[z].weights_[i] = weights_at(mixture);
+      if (with_derivatives) tables[z].derivatives_[i] = derivatives_at(mixture);
+    }
   }
+  return tables;
 }
 
 ContaminationTable::Derivatives ContaminationTable::derivatives(double r) const {

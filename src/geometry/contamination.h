@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace jalon {
@@ -52,6 +53,9 @@ class ContaminationTable {
 
   /// The derivatives take as much time again: only on demand.
   explicit ContaminationTable(const Contamination& c, bool with_derivatives = false);
+  /// Of zones with the same noise and tolerance, which differ by their shares alone: what these mix is found once.
+  static std::vector<ContaminationTable> of_zones(std::span<const Contamination> zones,
+                                                  bool with_derivatives = false);
 
   /// Asked for each point in each step.
   Weights weights(double r) const {
@@ -74,6 +78,8 @@ class ContaminationTable {
     const size_t node = std::min(static_cast<size_t>(x), weights_.size() - 2);
     return {node, x - static_cast<double>(node)};
   }
+  /// Empty, with room for the nodes.
+  ContaminationTable(double tolerance_m, double sigma_m);
   double tolerance_m_, per_m_;
   std::vector<Weights> weights_;
   std::vector<Derivatives> derivatives_;

@@ -163,10 +163,10 @@ Mat8 jackknife(const std::vector<PlaneSample>& samples, const ContaminationState
 
 std::vector<ContaminationTable> ContaminationState::tables(double tolerance_m,
                                                            bool with_derivatives) const {
-  std::vector<ContaminationTable> out;
+  std::array<Contamination, kContaminationZones> zones;
   for (size_t z = 0; z < kContaminationZones; ++z)
-    out.emplace_back(Contamination{sigma_m, tolerance_m, front[z], behind[z]}, with_derivatives);
-  return out;
+    zones[z] = {sigma_m, tolerance_m, front[z], behind[z]};
+  return ContaminationTable::of_zones(zones, with_derivatives);
 }
 
 bool contamination_covariance(const std::vector<PlaneSample>& samples,
