@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <utility>
 
 #include "base/parallel.h"
 #include "segment/ransac/curved_hypotheses.h"
 #include "segment/settle/each_surface.h"
+#include "segment/settle/positions.h"
 
 namespace jalon {
 
@@ -19,7 +19,6 @@ constexpr size_t kAssignmentPointsPerChunk = 1 << 14;
 constexpr size_t kPointsPerBlock = 64;
 // Of the octree's cube: far above the rounding of a distance, far below any tolerance.
 constexpr double kReachSlack = 1e-12;
-constexpr size_t kPointsPerStretch = 1 << 17;
 constexpr double kLeastSigma =
     0.04;  // of the tolerance: noise-free planes do not pull points from noisy ones
 constexpr double kLeastArea_m2 = 1e-6;
@@ -156,33 +155,6 @@ uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches,
   return best;
 }
 
-}  // namespace
-
-// Counted by stretches of points, then put in place.
-void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  const size_t n = scene.size(), count = surfaces.size();
-  const size_t stretches = (n + kPointsPerStretch - 1) / kPointsPerStretch;
-  std::vector<uint32_t> next(stretches * (count + 1), 0);  // by stretch and owner
-  parallel_for(task, n, kPointsPerStretch, [&](size_t begin, size_t end) {
-    uint32_t* counts = next.data() + begin / kPointsPerStretch * (count + 1);
-    for (size_t i = begin; i < end; ++i) ++counts[scene.owner[i]];
-  });
-  for (size_t k = 1; k <= count; ++k) {
-    uint32_t sum = 0;
-    for (size_t stretch = 0; stretch < stretches; ++stretch)
-      sum += std::exchange(next[stretch * (count + 1) + k], sum);
-    surfaces[k - 1].positions = std::vector<uint32_t>(sum);
-  }
-  parallel_for(task, n, kPointsPerStretch, [&](size_t begin, size_t end) {
-    uint32_t* places = next.data() + begin / kPointsPerStretch * (count + 1);
-    for (size_t i = begin; i < end; ++i)
-      if (const uint32_t k = scene.owner[i]; k != 0)
-        surfaces[k - 1].positions[places[k]++] = static_cast<uint32_t>(i);
-  });
-}
-
-namespace {
-
 using Moved = std::vector<std::atomic<size_t>>;  // points that came or went, by owner
 
 struct Round {
@@ -213,7 +185,8 @@ void near_box(const Box3& box, const std::vector<Patch>& patches, double reach_m
 }
 
 // A run of blocks: each is left as it is where no patch that changed may reach it.
-void share_out(const Round& round, size_t begin, size_t end, Moved& moved) {
+void share_out(const Round& round, size_t begin, size_t end, Moved& moved,
+               std::vector<MovedPoint>& moves) {
   SegmentScene& scene = round.scene;
   const double reach_m = round.reach_m(), min_cosine = scene.min_cosine();
   Box3 chunk;
@@ -240,8 +213,16 @@ void share_out(const Round& round, size_t begin, size_t end, Moved& moved) {
       if (own == before) continue;
       moved[own].fetch_add(1, std::memory_order_relaxed);
       moved[before].fetch_add(1, std::memory_order_relaxed);
+      if (!round.is_first) moves.push_back({static_cast<uint32_t>(i), before, own});
     }
   }
+}
+
+// Not those that were split or joined since the last round: scene.owner tells what they were.
+bool own_their_points(const std::vector<Surface>& surfaces) {
+  return std::all_of(surfaces.begin(), surfaces.end(), [](const Surface& s) {
+    return s.sharing.number != 0 && s.sharing.moved != Surface::Sharing::kAll;
+  });
 }
 
 }  // namespace
@@ -294,9 +275,13 @@ void Assignment::next_round(SegmentScene& scene, std::vector<Surface>& surfaces,
   const std::vector<uint32_t> now = renew_patches(scene, surfaces, changed, task);
   Moved moved(surfaces.size() + 1);
   const Round round{scene, patches_, boxes_, changed, now, is_first};
-  parallel_for(task, scene.size(), kAssignmentPointsPerChunk,
-               [&](size_t begin, size_t end) { share_out(round, begin, end, moved); });
-  take_positions(scene, surfaces, task);
+  std::vector<std::vector<MovedPoint>> moves((scene.size() + kAssignmentPointsPerChunk - 1) /
+                                             kAssignmentPointsPerChunk);
+  parallel_for(task, scene.size(), kAssignmentPointsPerChunk, [&](size_t begin, size_t end) {
+    share_out(round, begin, end, moved, moves[begin / kAssignmentPointsPerChunk]);
+  });
+  if (!is_first && own_their_points(surfaces)) move_positions(moves, surfaces, task);
+  else take_positions(scene, surfaces, task);
   for (size_t s = 0; s < surfaces.size(); ++s) {
     surfaces[s].image = {};
     Surface::Sharing& sharing = surfaces[s].sharing;

@@ -33,7 +33,4 @@ class Assignment {
   std::vector<Box3> boxes_;     ///< of short runs of points
 };
 
-/// Each surface k - 1 the points that scene.owner gives to k, ascending.
-void take_positions(const SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
-
 }  // namespace jalon

@@ -9,6 +9,7 @@
 #include "segment/settle/each_surface.h"
 #include "segment/settle/ending.h"
 #include "segment/settle/merging.h"
+#include "segment/settle/positions.h"
 
 namespace jalon {
 
