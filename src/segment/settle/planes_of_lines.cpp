@@ -72,14 +72,19 @@ Around around(const SegmentScene& scene, const Surface& surface, const Octree::C
                                                                                  : Around::kLine;
 }
 
-bool is_of_lines(const SegmentScene& scene, const Surface& surface) {
+// What is told around some points of a plane.
+struct Told {
+  size_t points = 0;
+  std::vector<uint32_t> in_lines;  ///< of them, those with a line around
+};
+
+Told told_around(const SegmentScene& scene, const Surface& surface) {
   const Octree& tree = *scene.tree;
   const double least_edge_m = kLeastEdge * scene.settings.distance_tolerance_m;
   const int finest = std::clamp(
       static_cast<int>(std::floor(std::log2(tree.cube().edge / least_edge_m))), 0, kMaxLevel);
   const size_t step = surface.positions.size() / kAsked + 1;
-  std::vector<Neighbour> neighbours, theirs;
-  size_t told = 0, lines = 0;
+  Told told;
   for (size_t i = step / 2; i < surface.positions.size(); i += step) {
     const uint32_t position = surface.positions[i];
     Around found = Around::kUnknown;
@@ -88,11 +93,27 @@ bool is_of_lines(const SegmentScene& scene, const Surface& surface) {
       const Octree::Cell cell = tree.cell(level, tree.code(position) >> (3 * (kMaxLevel - level)));
       found = around(scene, surface, cell, std::ldexp(tree.cube().edge, -level));
     }
-    told += found != Around::kUnknown;
-    lines += found == Around::kLine && is_on_own_line(scene, surface, position, neighbours, theirs);
+    told.points += found != Around::kUnknown;
+    if (found == Around::kLine) told.in_lines.push_back(position);
   }
-  return told >= kLeastTold &&
-         static_cast<double>(lines) > kShareOfLines * static_cast<double>(told);
+  return told;
+}
+
+// Neighbours of neighbours cost most: they are asked for only as long as they can decide.
+bool is_of_lines(const SegmentScene& scene, const Surface& surface) {
+  const Told told = told_around(scene, surface);
+  if (told.points < kLeastTold) return false;
+  const auto are_most = [&](size_t lines) {
+    return static_cast<double>(lines) > kShareOfLines * static_cast<double>(told.points);
+  };
+  std::vector<Neighbour> neighbours, theirs;
+  size_t lines = 0, may_be = told.in_lines.size();
+  for (const uint32_t position : told.in_lines) {
+    if (are_most(lines) || !are_most(may_be)) break;
+    if (is_on_own_line(scene, surface, position, neighbours, theirs)) ++lines;
+    else --may_be;
+  }
+  return are_most(lines);
 }
 
 }  // namespace

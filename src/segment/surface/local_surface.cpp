@@ -35,6 +35,8 @@ struct Census {
 
 Census census_of(const SegmentScene& scene, const PointRange& cell) {
   Census census;
+  if (std::memchr(&scene.level[cell.begin], kUndecided, cell.end - cell.begin) == nullptr)
+    return census;
   for (size_t i = cell.begin; i < cell.end; ++i) {
     if (scene.owner[i] != 0) continue;
     ++census.free;
