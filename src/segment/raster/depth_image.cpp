@@ -6,7 +6,6 @@
 #include <numeric>
 
 #include "segment/raster/layers.h"
-#include "segment/surface/spacing.h"
 
 namespace jalon {
 
@@ -26,10 +25,14 @@ DepthImage depth_image(const SegmentScene& scene, const RasterSettings& settings
   return layers.image();
 }
 
-double image_pixel_m(const SegmentScene& scene) {
+double image_pixel_m(const SegmentScene& scene, const SpacingSample& spacings) {
   if (scene.settings.pixel_m > 0) return scene.settings.pixel_m;
   return std::max(scene.settings.distance_tolerance_m,
-                  kSpacingsPerImagePixel * median_spacing_m(scene));
+                  kSpacingsPerImagePixel * spacings.median_m(scene));
+}
+
+double image_pixel_m(const SegmentScene& scene) {
+  return image_pixel_m(scene, SpacingSample(scene));
 }
 
 }  // namespace jalon

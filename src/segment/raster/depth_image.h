@@ -8,6 +8,7 @@
 
 #include "segment/raster_settings.h"
 #include "segment/surface/scene.h"
+#include "segment/surface/spacing.h"
 
 namespace jalon {
 
@@ -47,6 +48,7 @@ DepthImage depth_image(const SegmentScene& scene, const RasterSettings& settings
                        const ImageAxes& axes, double pixel_m, Task& task);
 
 /// Pixel of the raster: the user's, or 1.4 times the median spacing of the free points, never below the tolerance.
+double image_pixel_m(const SegmentScene& scene, const SpacingSample& spacings);
 double image_pixel_m(const SegmentScene& scene);
 
 }  // namespace jalon

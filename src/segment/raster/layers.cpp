@@ -78,6 +78,14 @@ uint64_t key_of(double depth, size_t position) {
 }
 uint32_t position_of(uint64_t key) { return 0xffffffffu - static_cast<uint32_t>(key); }
 
+// From any thread: whatever the order, the nearest return stays.
+void keep_nearest(uint64_t& kept, uint64_t key) {
+  std::atomic_ref<uint64_t> nearest(kept);
+  uint64_t before = nearest.load(std::memory_order_relaxed);
+  while (key > before && !nearest.compare_exchange_weak(before, key, std::memory_order_relaxed)) {
+  }
+}
+
 }  // namespace
 
 void RasterLayers::look_along(const ImageAxes& axes, double pixel_m, Task& task) {
@@ -92,20 +100,26 @@ void RasterLayers::look_along(const ImageAxes& axes, double pixel_m, Task& task)
   if (settings_.grey_bits > 0)
     image_.quantum_m =
         (depths_.high - depths_.low) / (std::ldexp(1.0, static_cast<int>(settings_.grey_bits)) - 1);
-  put_points_in_pixels(box.points, task);
+  const bool by_nearest = settings_.returns == PixelReturn::kNearest;
+  std::vector<uint64_t> nearest(by_nearest ? image_.size() : 0, kNoReturn);
+  put_points_in_pixels(box.points, nearest, task);
   parallel_for(task, image_.size(), kImagePixelsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t p = begin; p < end; ++p) paint(p);
+    for (size_t p = begin; p < end; ++p) paint(p, by_nearest ? nearest[p] : middle_return(p));
   });
 }
 
 void RasterLayers::look_behind(std::span<const uint32_t> pixels, Task& task) {
   parallel_for(task, pixels.size(), kImagePixelsPerChunk, [&](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) paint(pixels[k]);
+    for (size_t k = begin; k < end; ++k)
+      paint(pixels[k], settings_.returns == PixelReturn::kNearest ? nearest_return(pixels[k])
+                                                                  : middle_return(pixels[k]));
   });
 }
 
-// Counted, then put in place, in any order within a pixel: none is asked for.
-void RasterLayers::put_points_in_pixels(size_t free_points, Task& task) {
+// Counted, then put in place, in any order within a pixel: none is asked for. The nearest return of each pixel, where
+// asked for, is found by the way, as long as the points are at hand one after the other.
+void RasterLayers::put_points_in_pixels(size_t free_points, std::span<uint64_t> nearest,
+                                        Task& task) {
   const size_t n = candidates_.size();
   Buffer<uint32_t> pixels(n);
   firsts_.assign(image_.size() + 1, 0);
@@ -113,8 +127,11 @@ void RasterLayers::put_points_in_pixels(size_t free_points, Task& task) {
     for (size_t k = begin; k < end; ++k) {
       pixels[k] = kInNoPixel;
       if (scene_.owner[candidates_[k]] != 0) continue;
-      pixels[k] = static_cast<uint32_t>(image_.pixel_of(scene_.local(candidates_[k])));
+      const Vec3 at = scene_.local(candidates_[k]);
+      pixels[k] = static_cast<uint32_t>(image_.pixel_of(at));
       std::atomic_ref(firsts_[pixels[k]]).fetch_add(1, std::memory_order_relaxed);
+      if (!nearest.empty())
+        keep_nearest(nearest[pixels[k]], key_of(dot(at, image_.axes.n), candidates_[k]));
     }
   });
   uint32_t sum = 0;
@@ -145,10 +162,8 @@ uint64_t RasterLayers::middle_return(size_t pixel) const {
   return *middle;
 }
 
-void RasterLayers::paint(size_t pixel) {
+void RasterLayers::paint(size_t pixel, uint64_t key) {
   const ImageAxes& axes = image_.axes;
-  const uint64_t key =
-      settings_.returns == PixelReturn::kNearest ? nearest_return(pixel) : middle_return(pixel);
   image_.occupied[pixel] = key != kNoReturn ? 1 : 0;
   image_.pixels[pixel] = {};
   if (key == kNoReturn) return;

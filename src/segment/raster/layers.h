@@ -33,8 +33,8 @@ class RasterLayers {
   struct DepthRange {
     double low = 0, high = 0;
   };
-  void put_points_in_pixels(size_t free_points, Task& task);
-  void paint(size_t pixel);
+  void put_points_in_pixels(size_t free_points, std::span<uint64_t> nearest, Task& task);
+  void paint(size_t pixel, uint64_t key);
   uint64_t nearest_return(size_t pixel) const;
   uint64_t middle_return(size_t pixel) const;
   void quantise(size_t pixel);

@@ -21,6 +21,7 @@ constexpr double kLeastRegion = 0.25;   // of the least segment: such pieces may
 constexpr double kOtherDensity = 1.25;
 constexpr double kFewTaken = 0.02;  // of the points: without them the median spacing is what it was
 constexpr size_t kRasterPixelsPerChunk = 1 << 12;
+constexpr size_t kCandidatesPerChunk = 1 << 16;
 
 PixelRule rule_of(const RasterSettings& settings, const DepthImage& image, const RasterScale& scale,
                   size_t free_points) {
@@ -82,16 +83,21 @@ class RasterSearch {
  public:
   RasterSearch(SegmentScene& scene, const RasterSettings& settings, const RasterScale& scale,
                uint32_t first_id, Task& task)
-      : scene_(scene), settings_(settings), scale_(scale), next_id_(first_id), task_(task) {
-    for (size_t i = 0; i < scene.size(); i += scale.step)
-      if (scene.owner[i] == 0) candidates_.push_back(static_cast<uint32_t>(i));
+      : scene_(scene),
+        settings_(settings),
+        scale_(scale),
+        spacings_(scene),
+        next_id_(first_id),
+        task_(task) {
+    const size_t all = (scene.size() + scale.step - 1) / scale.step;
+    candidates_ = free_among(all, [&](size_t k) { return static_cast<uint32_t>(k * scale.step); });
     free_points_ = candidates_.size();
   }
 
   // Rasters along one direction until one takes nothing worth while: behind the first, regions start where the one
   // before took what stood in front, as long as the points left are about as dense.
   void grow_along(const ImageAxes& axes) {
-    std::erase_if(candidates_, [&](uint32_t i) { return scene_.owner[i] != 0; });
+    candidates_ = free_among(candidates_.size(), [&](size_t k) { return candidates_[k]; });
     RasterLayers layers(scene_, settings_, candidates_);
     PixelGrowth growth;
     TakenPoints taken;
@@ -119,11 +125,24 @@ class RasterSearch {
   uint32_t next_id() const { return next_id_; }
 
  private:
+  // Those of the positions at(0) ... at(n - 1) that are free.
+  template <class At>
+  std::vector<uint32_t> free_among(size_t n, const At& at) {
+    std::vector<std::vector<uint32_t>> parts((n + kCandidatesPerChunk - 1) / kCandidatesPerChunk);
+    parallel_for(task_, n, kCandidatesPerChunk, [&](size_t begin, size_t end) {
+      for (size_t k = begin; k < end; ++k)
+        if (scene_.owner[at(k)] == 0) parts[begin / kCandidatesPerChunk].push_back(at(k));
+    });
+    std::vector<uint32_t> out;
+    for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
+    return out;
+  }
+
   // The pixel that fits the points left, looked for anew when some of them went.
   double own_pixel_m() {
     const double few = kFewTaken * static_cast<double>(looked_at_);
     if (looked_at_ == 0 || static_cast<double>(looked_at_ - free_points_) > few) {
-      pixel_m_ = scale_.pixels * image_pixel_m(scene_);
+      pixel_m_ = scale_.pixels * image_pixel_m(scene_, spacings_);
       looked_at_ = free_points_;
     }
     return pixel_m_;
@@ -132,6 +151,7 @@ class RasterSearch {
   SegmentScene& scene_;
   const RasterSettings& settings_;
   const RasterScale& scale_;
+  SpacingSample spacings_;
   uint32_t next_id_;
   Task& task_;
   std::vector<uint32_t> candidates_;  ///< that were free before this direction
