@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/front/fronts.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
 #include "base/random.h"
-#include "base/serial.h"
 #include "segment/front/free_space.h"
 #include "segment/front/near_wall.h"
 #include "segment/front/shared_viewers.h"
@@ -28,31 +29,61 @@ struct ThinnedCloud {
   std::vector<uint32_t> labels;
 };
 
-// One of every so many points, any of them, so that no row of a scan is left out; of small segments all.
-ThinnedCloud thinned(const Cloud& cloud, std::span<const uint32_t> labels, size_t segments,
-                     Task& task) {
-  std::vector<size_t> points(segments + 1, 0);  // by label
-  serial_for(task, labels.size(), kThinnedPerLook, [&](size_t begin, size_t end) {
-    for (const uint32_t label : labels.subspan(begin, end - begin)) ++points[label];
+// How many points have each label.
+struct LabelCounts {
+  std::vector<size_t> of;
+  LabelCounts& operator+=(const LabelCounts& b) {
+    for (size_t k = 0; k < of.size(); ++k) of[k] += b.of[k];
+    return *this;
+  }
+};
+
+LabelCounts count_labels(std::span<const uint32_t> labels, size_t segments, Task& task) {
+  const LabelCounts zero{std::vector<size_t>(segments + 1, 0)};
+  return parallel_reduce(task, labels.size(), kThinnedPerLook, zero, [&](size_t begin, size_t end) {
+    LabelCounts part = zero;
+    for (const uint32_t label : labels.subspan(begin, end - begin)) ++part.of[label];
+    return part;
   });
-  const size_t step = (cloud.size() + kMostFrontPoints - 1) / kMostFrontPoints;
+}
+
+// One of every so many points, any of them, so that no row of a scan is left out; of small segments all.
+std::vector<uint32_t> chosen_points(std::span<const uint32_t> labels, size_t segments, Task& task) {
+  const size_t n = labels.size(), step = (n + kMostFrontPoints - 1) / kMostFrontPoints;
+  const LabelCounts points = count_labels(labels, segments, task);
   RandomStream random(kThinningSeed, kThinningStream);
-  std::vector<uint32_t> kept;
-  size_t chosen = random.below(step);
-  serial_for(task, cloud.size(), kThinnedPerLook, [&](size_t begin, size_t end) {
+  std::vector<uint32_t> chosen;  // of each run of `step` points
+  for (size_t first = 0; first < n; first += step)
+    chosen.push_back(static_cast<uint32_t>(first + random.below(step)));
+  std::vector<std::vector<uint32_t>> parts((n + kThinnedPerLook - 1) / kThinnedPerLook);
+  parallel_for(task, n, kThinnedPerLook, [&](size_t begin, size_t end) {
+    std::vector<uint32_t>& kept = parts[begin / kThinnedPerLook];
+    auto next = std::lower_bound(chosen.begin(), chosen.end(), begin);
     for (size_t i = begin; i < end; ++i) {
-      if (i == chosen || (labels[i] != 0 && points[labels[i]] < kLeastOfSegment))
+      const bool is_chosen = next != chosen.end() && *next == i;
+      if (is_chosen) ++next;
+      if (is_chosen || (labels[i] != 0 && points.of[labels[i]] < kLeastOfSegment))
         kept.push_back(static_cast<uint32_t>(i));
-      if ((i + 1) % step == 0) chosen = i + 1 + random.below(step);
     }
   });
+  std::vector<uint32_t> out;
+  for (const auto& part : parts) out.insert(out.end(), part.begin(), part.end());
+  return out;
+}
+
+ThinnedCloud thinned(const Cloud& cloud, std::span<const uint32_t> labels, size_t segments,
+                     Task& task) {
+  const std::vector<uint32_t> kept = chosen_points(labels, segments, task);
   Buffer<double> xyz(3 * kept.size());
   ThinnedCloud out;
-  for (size_t k = 0; k < kept.size(); ++k) {
-    const Vec3 p = cloud.point(kept[k]);
-    for (int axis = 0; axis < 3; ++axis) xyz[3 * k + static_cast<size_t>(axis)] = p[axis];
-    out.labels.push_back(labels[kept[k]]);
-  }
+  out.labels.resize(kept.size());
+  parallel_for(task, kept.size(), kThinnedPerLook, [&](size_t begin, size_t end) {
+    for (size_t k = begin; k < end; ++k) {
+      const Vec3 p = cloud.point(kept[k]);
+      for (int axis = 0; axis < 3; ++axis) xyz[3 * k + static_cast<size_t>(axis)] = p[axis];
+      out.labels[k] = labels[kept[k]];
+    }
+  });
   out.cloud = make_cloud(std::move(xyz));
   return out;
 }

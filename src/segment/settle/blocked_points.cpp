@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/parallel.h"
+
 namespace jalon {
 
 namespace {
 
 constexpr size_t kRun = 64;  // points: a box costs as much as three of them
-constexpr size_t kBlocksPerGroup = 64;
+constexpr size_t kBlocksPerGroup = 64, kBlocksPerChunk = 256;
 // Of the octree's cube: far above the rounding of a projection, far below a pixel.
 constexpr double kShadowSlack = 1e-12;
 
@@ -145,15 +147,17 @@ class ImageWindow {
 
 }  // namespace
 
-BlockedPoints::BlockedPoints(const SegmentScene& scene, std::span<const uint32_t> positions)
-    : size_(positions.size()) {
+BlockedPoints::BlockedPoints(const SegmentScene& scene, std::span<const uint32_t> positions,
+                             Task& task)
+    : blocks_((positions.size() + kRun - 1) / kRun), size_(positions.size()) {
   if (!positions.empty()) first_ = positions.front();
-  for (size_t i = 0; i < positions.size(); i += kRun) {
-    Block block;
-    block.positions = positions.subspan(i, std::min(kRun, positions.size() - i));
-    for (const uint32_t position : block.positions) block.box.add(scene.local(position));
-    blocks_.push_back(block);
-  }
+  parallel_for(task, blocks_.size(), kBlocksPerChunk, [&](size_t begin, size_t end) {
+    for (size_t b = begin; b < end; ++b) {
+      Block& block = blocks_[b];
+      block.positions = positions.subspan(b * kRun, std::min(kRun, positions.size() - b * kRun));
+      for (const uint32_t position : block.positions) block.box.add(scene.local(position));
+    }
+  });
   for (size_t b = 0; b < blocks_.size(); b += kBlocksPerGroup) {
     Group group{{}, b, std::min(blocks_.size(), b + kBlocksPerGroup)};
     for (size_t k = group.begin; k < group.end; ++k) group.box += blocks_[k].box;

@@ -21,7 +21,7 @@ class BlockedPoints {
 
   BlockedPoints() = default;
   /// positions: ascending, and so along the octree's curve.
-  BlockedPoints(const SegmentScene& scene, std::span<const uint32_t> positions);
+  BlockedPoints(const SegmentScene& scene, std::span<const uint32_t> positions, Task& task);
   void take(BlockedPoints&& other);
 
   /// Neighbouring blocks together, with their box.

@@ -55,7 +55,7 @@ MergingPart part_of(const SegmentScene& scene, const Surface& surface, Task& tas
   part.moments = sums.moments;
   part.box = sums.box;
   part.alive = surface.is_plane() && fit_plane(sums.moments, part.fit);
-  part.points = BlockedPoints(scene, positions);
+  part.points = BlockedPoints(scene, positions, task);
   return part;
 }
 

@@ -28,7 +28,6 @@ constexpr double kCoreSigmas = 4;  // rejection of outliers in the last fit: bia
 // Share of a surface's points: fewer, none of them farther off than the tolerance, shift its plane by less than a
 // thousandth of the tolerance. The last fit is to all points.
 constexpr double kLeastMoved = 1e-3;
-constexpr uint32_t kLeftOut = 2;    // zone of a point that is no sample
 constexpr double kBorderReach = 3;  // spacings within which a point has neighbours on all sides
 constexpr size_t kMostForBorder = 50000;  // larger surfaces tell their border by pixels
 // Points: their plane is right to a two-hundredth of its noise, which is itself a fraction of the tolerance.
@@ -144,22 +143,34 @@ std::vector<PlaneSample> samples_of(const SegmentScene& scene, const Surface& su
                                     std::span<const uint8_t> inner, const PlaneFit& fit,
                                     Task& task) {
   const double tolerance = scene.settings.distance_tolerance_m, min_cosine = scene.min_cosine();
-  const bool by_pixels = surface.positions.size() > kMostForBorder;
-  std::vector<uint8_t> zones(surface.positions.size(), 1);
-  if (by_pixels && !inner.empty()) zones.assign(inner.begin(), inner.end());
-  else if (by_pixels) zones = inner_points(scene, surface, task);
-  std::vector<PlaneSample> samples(surface.positions.size());
-  parallel_for(task, samples.size(), kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
+  const size_t n = surface.positions.size();
+  const bool by_pixels = n > kMostForBorder;
+  std::vector<uint8_t> own_zones;
+  if (by_pixels && inner.empty()) inner = own_zones = inner_points(scene, surface, task);
+  std::vector<PlaneSample> samples(n);
+  // Each chunk leaves those that count at its beginning.
+  std::vector<size_t> kept((n + kSurfaceFitPointsPerChunk - 1) / kSurfaceFitPointsPerChunk, 0);
+  parallel_for(task, n, kSurfaceFitPointsPerChunk, [&](size_t begin, size_t end) {
+    size_t to = begin;
     for (size_t i = begin; i < end; ++i) {
+      if (i + kFetchedAhead < end) scene.fetch_exact(surface.positions[i + kFetchedAhead]);
       const Vec3 d = scene.exact(surface.positions[i]) - fit.centroid;
       const double across = dot(d, fit.plane.normal);
-      const bool own = std::fabs(across) <= tolerance &&
-                       !scene.inconsistent(surface.positions[i], fit.plane.normal, min_cosine);
-      samples[i] = {static_cast<float>(dot(d, fit.axis_u)), static_cast<float>(dot(d, fit.axis_v)),
-                    static_cast<float>(across), own ? zones[i] : kLeftOut};
+      if (std::fabs(across) > tolerance ||
+          scene.inconsistent(surface.positions[i], fit.plane.normal, min_cosine))
+        continue;
+      samples[to++] = {static_cast<float>(dot(d, fit.axis_u)),
+                       static_cast<float>(dot(d, fit.axis_v)), static_cast<float>(across),
+                       by_pixels ? inner[i] : 1u};
     }
+    kept[begin / kSurfaceFitPointsPerChunk] = to - begin;
   });
-  std::erase_if(samples, [](const PlaneSample& s) { return s.zone == kLeftOut; });
+  auto to = samples.begin();
+  for (size_t chunk = 0; chunk < kept.size(); ++chunk) {
+    const auto from = samples.begin() + static_cast<ptrdiff_t>(chunk * kSurfaceFitPointsPerChunk);
+    to = std::move(from, from + static_cast<ptrdiff_t>(kept[chunk]), to);
+  }
+  samples.erase(to, samples.end());
   if (by_pixels) return samples;
   // Surfaces at right angles to this one have all their points within the noise of its border; at 45 degrees, within
   // the tolerance of it.

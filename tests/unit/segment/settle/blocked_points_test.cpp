@@ -53,8 +53,8 @@ TEST_CASE("blocked_points__lie_over_as_the_whole_image_says") {
             const size_t over =
                 over_by_definition(made.scene, surfaces[b].positions, surfaces[a].positions, frame,
                                    surfaces[a].pixel_m, reach);
-            const BlockedPoints image(made.scene, surfaces[a].positions),
-                points(made.scene, surfaces[b].positions);
+            const BlockedPoints image(made.scene, surfaces[a].positions, made.task),
+                points(made.scene, surfaces[b].positions, made.task);
             const auto at_least = [&](size_t least) {
               return lie_over(made.scene, points, least, image, frame, surfaces[a].pixel_m, reach);
             };
@@ -68,13 +68,13 @@ TEST_CASE("blocked_points__those_taken_count_as_own") {
   const Scene scene = walls(4, 0.2);
   MadeScene made(scene.points);
   const auto surfaces = made.surfaces(scene.faces, 3);
-  BlockedPoints joined(made.scene, surfaces[1].positions);
-  joined.take(BlockedPoints(made.scene, surfaces[0].positions));
+  BlockedPoints joined(made.scene, surfaces[1].positions, made.task);
+  joined.take(BlockedPoints(made.scene, surfaces[0].positions, made.task));
   CHECK(joined.size() == 3700);
   CHECK(joined.first_position() == std::min(surfaces[0].positions[0], surfaces[1].positions[0]));
   const FlatFrame frame = plane_frame(surfaces[0].plane, made.scene.local(0));
-  const BlockedPoints own(made.scene, surfaces[0].positions);
+  const BlockedPoints own(made.scene, surfaces[0].positions, made.task);
   CHECK(lie_over(made.scene, own, own.size(), joined, frame, 0.1, 0));
   CHECK_FALSE(lie_over(made.scene, own, own.size(),
-                       BlockedPoints(made.scene, surfaces[2].positions), frame, 0.1, 0));
+                       BlockedPoints(made.scene, surfaces[2].positions, made.task), frame, 0.1, 0));
 }
