@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "base/settings_json.h"
 #include "segment/plane_rows.h"
@@ -111,10 +112,13 @@ void cut_along(const SegmentScene& scene, const SliceRule& slices, const Profile
   const RectangleRule rule{slices.step_m, settings.angle_rad,
                            settings.surface.distance_tolerance_m};
   const std::vector<ProfileRectangle> rectangles = match_lines(lines, rule, task);
-  for (const auto& set : join_rectangles(lines, rectangles, rule)) {
-    Surface surface = surface_of(scene, lines, set, slices.step_m, task);
+  const auto sets = join_rectangles(lines, rectangles, rule);
+  std::vector<Surface> found(sets.size());
+  parallel_for(task, sets.size(), 1, [&](size_t s, size_t) {
+    found[s] = surface_of(scene, lines, sets[s], slices.step_m, task);
+  });
+  for (Surface& surface : found)
     if (!surface.positions.empty()) surfaces.push_back(std::move(surface));
-  }
 }
 
 }  // namespace

@@ -71,24 +71,25 @@ struct SlicedPoints {
 };
 SlicedPoints points_of_slices(const SegmentScene& scene, const SliceNumbers& numbers, Task& task) {
   const size_t n = scene.size();
-  std::vector<std::vector<uint32_t>> found((n + kSlicePointsPerChunk - 1) / kSlicePointsPerChunk);
+  struct Found {
+    uint32_t position, slice;
+  };
+  std::vector<std::vector<Found>> found((n + kSlicePointsPerChunk - 1) / kSlicePointsPerChunk);
   parallel_for(task, n, kSlicePointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i)
-      if (numbers.of(scene.local(i)) != kBetweenSlices)
-        found[begin / kSlicePointsPerChunk].push_back(static_cast<uint32_t>(i));
+      if (const uint32_t slice = numbers.of(scene.local(i)); slice != kBetweenSlices)
+        found[begin / kSlicePointsPerChunk].push_back({static_cast<uint32_t>(i), slice});
   });
   SlicedPoints sliced;
   sliced.first.assign(numbers.count + 1u, 0);
   serial_for(task, found.size(), 1, [&](size_t part, size_t) {
-    for (const uint32_t position : found[part])
-      ++sliced.first[numbers.of(scene.local(position)) + 1];
+    for (const Found& point : found[part]) ++sliced.first[point.slice + 1];
   });
   for (size_t k = 0; k < numbers.count; ++k) sliced.first[k + 1] += sliced.first[k];
   sliced.positions.resize(sliced.first.back());
   std::vector<uint32_t> next(sliced.first.begin(), sliced.first.end() - 1);
   serial_for(task, found.size(), 1, [&](size_t part, size_t) {
-    for (const uint32_t position : found[part])
-      sliced.positions[next[numbers.of(scene.local(position))]++] = position;
+    for (const Found& point : found[part]) sliced.positions[next[point.slice]++] = point.position;
   });
   return sliced;
 }
