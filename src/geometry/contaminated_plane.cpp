@@ -35,14 +35,14 @@ constexpr double kLeastKept =
 struct StepSums {
   std::array<double, 6> normal{};  ///< of height, slope_u, slope_v with the core's weights
   std::array<double, 3> right{};
-  double squares = 0, log_likelihood = 0;
+  double squares = 0;
   std::array<double, kContaminationZones> front{}, behind{}, count{};
 
   double core() const { return normal[0]; }
   StepSums& operator+=(const StepSums& b) {
     for (size_t i = 0; i < 6; ++i) normal[i] += b.normal[i];
     for (size_t i = 0; i < 3; ++i) right[i] += b.right[i];
-    squares += b.squares, log_likelihood += b.log_likelihood;
+    squares += b.squares;
     for (size_t z = 0; z < kContaminationZones; ++z)
       front[z] += b.front[z], behind[z] += b.behind[z], count[z] += b.count[z];
     return *this;
@@ -97,7 +97,26 @@ class Settling {
   }
 
   const ContaminationState& state() const { return state_; }
-  double log_likelihood() const { return sum().log_likelihood; }
+  double log_likelihood() const {
+    const std::vector<ContaminationTable> tables = state_.tables(tolerance_m_);
+    struct Sum {
+      double value = 0;
+      Sum& operator+=(const Sum& b) {
+        value += b.value;
+        return *this;
+      }
+    };
+    return parallel_reduce(
+               task_, samples_.size(), kContaminatedPlanePointsPerChunk, Sum{},
+               [&](size_t begin, size_t end) {
+                 Sum part;
+                 for (size_t i = begin; i < end; ++i)
+                   part.value +=
+                       tables[samples_[i].zone].weights(state_.residual(samples_[i])).log_density;
+                 return part;
+               })
+        .value;
+  }
 
  private:
   double bounded_sigma(double sigma_m) const {
@@ -141,7 +160,6 @@ class Settling {
                                part.right[1] -= w.slope * u;
                                part.right[2] -= w.slope * v;
                                part.squares += w.core * r * r;
-                               part.log_likelihood += w.log_density;
                                part.front[s.zone] += w.front;
                                part.behind[s.zone] += w.behind;
                                part.count[s.zone] += 1;
