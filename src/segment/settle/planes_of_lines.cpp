@@ -72,6 +72,13 @@ Around around(const SegmentScene& scene, const Surface& surface, const Octree::C
                                                                                  : Around::kLine;
 }
 
+// Among the cells that the scene has looked at, where there are such: they are sooner found than among all points.
+Octree::Cell cell_around(const SegmentScene& scene, int level, uint32_t position) {
+  if (!scene.cell_firsts.empty() && level >= scene.coarse_level && level <= scene.fine_level)
+    return scene.cell_around(level, position);
+  return scene.tree->cell(level, scene.tree->code(position) >> (3 * (kMaxLevel - level)));
+}
+
 // What is told around some points of a plane.
 struct Told {
   size_t points = 0;
@@ -90,7 +97,7 @@ Told told_around(const SegmentScene& scene, const Surface& surface) {
     Around found = Around::kUnknown;
     for (int level = finest; found == Around::kUnknown && level > 0 && level > finest - kMostLevels;
          --level) {
-      const Octree::Cell cell = tree.cell(level, tree.code(position) >> (3 * (kMaxLevel - level)));
+      const Octree::Cell cell = cell_around(scene, level, position);
       found = around(scene, surface, cell, std::ldexp(tree.cube().edge, -level));
     }
     told.points += found != Around::kUnknown;

@@ -14,10 +14,10 @@ namespace {
 
 constexpr size_t kCellFirstsPointsPerChunk = size_t{1} << 16;
 
-// The coarsest level at which a cell begins with this position; kMaxLevel + 1 when none does.
-uint8_t first_level(const Octree& tree, size_t position) {
-  if (position == 0) return 0;
-  const uint64_t differing = tree.code(position) ^ tree.code(position - 1);
+// The coarsest level at which a cell begins with a point, by its code and that of the point before; kMaxLevel + 1 when
+// none does.
+uint8_t first_level(uint64_t code, uint64_t before) {
+  const uint64_t differing = code ^ before;
   if (differing == 0) return kMaxLevel + 1;
   return static_cast<uint8_t>(kMaxLevel - (std::bit_width(differing) - 1) / 3);
 }
@@ -32,8 +32,11 @@ std::vector<std::vector<uint32_t>> cell_firsts(const Octree& tree, int coarse, i
                                           kCellFirstsPointsPerChunk);
   parallel_for(task, n, kCellFirstsPointsPerChunk, [&](size_t begin, size_t end) {
     std::vector<uint32_t> counts(levels, 0);
+    uint64_t before = begin > 0 ? tree.code(begin - 1) : 0;
     for (size_t i = begin; i < end; ++i) {
-      scratch[i] = first_level(tree, i);
+      const uint64_t code = tree.code(i);
+      scratch[i] = i > 0 ? first_level(code, before) : 0;
+      before = code;
       for (int level = std::max<int>(scratch[i], coarse); level <= fine; ++level)
         ++counts[static_cast<size_t>(level - coarse)];
     }
