@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "base/parallel.h"
+#include "registration/joint/point_cells.h"
 
 namespace jalon {
 
@@ -42,18 +42,13 @@ bool is_better(const Place& a, const Place& b) {
 // What each block asks for, found once for all of them: a city has thousands.
 struct BlockParts {
   std::vector<std::vector<uint32_t>> triangles;  ///< of each block
-  std::vector<uint32_t> by_x;                    ///< points
+  PointCells points;
 
-  BlockParts(const JointPoints& points, const StripScene& scene)
-      : triangles(scene.blocks), by_x(points.size()) {
+  BlockParts(const JointPoints& of, const StripScene& scene)
+      : triangles(scene.blocks), points(of.at) {
     for (uint32_t t = 0; t < scene.face_of.size(); ++t)
       if (const uint32_t block = scene.block_of_face[scene.face_of[t]]; block != kNoStrip)
         triangles[block].push_back(t);
-    std::iota(by_x.begin(), by_x.end(), 0);
-    std::sort(by_x.begin(), by_x.end(), [&](uint32_t a, uint32_t b) {
-      const double x = points.at[a].x, other = points.at[b].x;
-      return x != other ? x < other : a < b;
-    });
   }
 };
 
@@ -77,7 +72,7 @@ class BlockSearch {
     }
     if (triangles.empty()) return;
     tree_ = TriangleTree::build(corners, triangles, task);
-    find_near(corners, parts.by_x);
+    find_near(corners, parts.points);
   }
 
   Vec2 found() const {
@@ -93,15 +88,15 @@ class BlockSearch {
   }
 
  private:
-  void find_near(const std::vector<Vec3>& corners, const std::vector<uint32_t>& by_x) {
+  void find_near(const std::vector<Vec3>& corners, const PointCells& cells) {
     Box3 box;
     for (const Vec3& c : corners) box.add(c);
-    const double x = kReach * settings_.sigma_block_x_m, y = kReach * settings_.sigma_block_y_m;
-    const auto first = std::partition_point(
-        by_x.begin(), by_x.end(), [&](uint32_t i) { return !(points_.at[i].x > box.min.x - x); });
-    for (auto i = first; i != by_x.end() && points_.at[*i].x < box.max.x + x; ++i)
-      if (const double at = points_.at[*i].y; at > box.min.y - y && at < box.max.y + y)
-        near_.push_back(*i);
+    const Vec2 about{kReach * settings_.sigma_block_x_m, kReach * settings_.sigma_block_y_m};
+    const Vec2 low = Vec2{box.min.x, box.min.y} - about, high = Vec2{box.max.x, box.max.y} + about;
+    cells.each(low, high, [&](uint32_t i) {
+      const Vec3& p = points_.at[i];
+      if (p.x > low.u && p.x < high.u && p.y > low.v && p.y < high.v) near_.push_back(i);
+    });
     std::sort(near_.begin(), near_.end());
   }
 
