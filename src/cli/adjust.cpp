@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 
 #include <nlohmann/json.hpp>
@@ -80,6 +81,51 @@ struct Adjust {
     write_text_file(folder.path("matches.csv"), table(made, jalon_adjustment_matches).csv());
   }
 
+  // Few matches settle as well as many do.
+  static void warn_of_few_matches(const Console& console, const Adjustment& made) {
+    constexpr uint64_t kFew = 10;  // one in so many
+    const Table passes = table(made, jalon_adjustment_iterations);
+    const uint64_t last = passes.rows() - 1, far = passes.count("far", last),
+                   nothing = passes.count("nothing", last), matched = passes.count("matched", last),
+                   all = table(made, jalon_adjustment_summary).count("points", 0);
+    if (kFew * matched < all)
+      console.warn("only " + grouped(matched) + " of " + grouped(all) +
+                   " points that look like a wall's are on one, " + grouped(far) +
+                   " too far from it and " + grouped(nothing) +
+                   " meet none: are model and drive in one unit and coordinate system, z up, and "
+                   "off by no more than their sigmas?");
+    else if (far > matched)
+      console.warn(grouped(far) + " points met a wall and are too far from it, more than the " +
+                   grouped(matched) +
+                   " that are on one: are model or drive off by more than their sigmas?");
+  }
+
+  // Poses on the straight line across a gap look like any others.
+  static void warn_of_gaps(const Console& console, const Trajectory& drive) {
+    constexpr double kLeast_s = 1;  // as control times are apart: so long a drive keeps its way
+    constexpr double kOver = 10;    // usual steps
+    Fields fields;
+    must(jalon_trajectory_epochs(drive.get(), Out(fields)));
+    const Table epochs(std::move(fields));
+    std::vector<double> steps;
+    for (uint64_t i = 1; i < epochs.rows(); ++i)
+      steps.push_back(epochs.number("time", i) - epochs.number("time", i - 1));
+    if (steps.empty()) return;
+    std::vector<double> sorted = steps;
+    std::ranges::nth_element(sorted,
+                             sorted.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2));
+    const double least = std::max(kLeast_s, kOver * sorted[steps.size() / 2]);
+    const auto gaps = std::ranges::count_if(steps, [&](double step) { return step > least; });
+    if (gaps == 0) return;
+    const auto longest = std::ranges::max_element(steps);
+    const auto at = static_cast<uint64_t>(longest - steps.begin());
+    console.warn(
+        "the trajectory has no epochs for " + fixed(*longest, 2) + " s from " +
+        fixed(epochs.number("time", at), 2) + " s on" +
+        (gaps > 1 ? ", the longest of " + grouped(static_cast<uint64_t>(gaps)) + " gaps" : "") +
+        ": it is taken to go straight across, as sure as beside the gap");
+  }
+
   static void say(const Console& console, const Adjustment& made) {
     const Table summary = table(made, jalon_adjustment_summary);
     const auto count = [&](const char* name) { return grouped(summary.count(name, 0)); };
@@ -124,13 +170,11 @@ struct Adjust {
                   fixed(summary.number("weak_direction", 0, 0), 3) + ", " +
                   fixed(summary.number("weak_direction", 0, 1), 3) +
                   ": no wall seen stands across it");
-    const Table passes = table(made, jalon_adjustment_iterations);
-    const uint64_t last = passes.rows() - 1, far = passes.count("far", last),
-                   matched = passes.count("matched", last);
-    if (far > matched)
-      console.say(grouped(far) + " points met a wall and are too far from it, more than the " +
-                  grouped(matched) +
-                  " that are on one: are model or drive off by more than their sigmas?");
+    warn_of_few_matches(console, made);
+    if (const uint64_t doubtful = summary.count("doubtful_strips", 0); doubtful > 0)
+      console.say(grouped(doubtful) +
+                  " strips were not adjusted: what is seen may be the wall of another, and nothing "
+                  "tells (strips.csv, column doubtful)");
     if (const double wrong = summary.number("wrong_strips", 0); std::isfinite(wrong))
       console.say("of the matches " + fixed(100 * wrong, 2) + " % are on another strip than " +
                   "the cloud's field says, " + fixed(100 * summary.number("wrong_facades", 0), 2) +
@@ -149,6 +193,7 @@ struct Adjust {
     trajectory_settings.apply(drive.get());
     console.step("reading");
     const Inputs inputs = read(console, strips, drive);
+    warn_of_gaps(console, inputs.trajectory);
     Json times{{"read", console.seconds()}};
     console.step("adjusting");
     Adjustment made;

@@ -88,6 +88,8 @@ assert d[\"summary\"][\"converged\"]==1 and d[\"summary\"][\"matched\"]>0.9*d[\"
 rows=list(csv.DictReader(open(\"adjusted/controls.csv\")))
 assert all(float(r[\"sigma_0\"])<0.5*float(r[\"prior_sigma_0\"]) for r in rows)'"
 for file in report.html trajectory.txt cloud.las cloud.ply model.obj model.city.json adjustment.json strips.csv matches.csv; do check "adjust made $file" test -s adjusted/$file; done
+check "adjust tells of a drive with a gap" bash -c "awk 'NR < 3 || \$1 < 5 || \$1 > 10' drive.txt >gap.txt && '$jalon' adjust street.obj drive.ply gap.txt -o gapped --json 2>&1 >/dev/null | grep -q 'no epochs for 5.0. s from 4.99 s on'"
+check "adjust tells that hardly a point is on a wall of a model in feet" bash -c "awk '\$1 == \"v\" { print \"v\", \$2 / 0.3048, \$3 / 0.3048, \$4 / 0.3048; next } 1' street.obj >feet.obj && '$jalon' adjust feet.obj drive.ply drive.txt -o footed --json 2>&1 >/dev/null | grep -q 'in one unit and coordinate system'"
 check "adjust writes CityJSON whose walls tell what moved them, and keeps their numbers when it is read again" bash -c "'$jalon' adjust adjusted/model.city.json drive.ply drive.txt -o adjusted2 --quiet && python3 -c '
 import csv,json
 def walls(folder):
