@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 
 #include "accuracy/joint_drives.h"
 #include "cloud/subsample_cells.h"
+#include "formats/trajectory/trajectory_files.h"
 #include "registration/icp/icp.h"
 #include "registration/joint/adjusted.h"
 #include "scan/scanner.h"
@@ -73,6 +75,38 @@ TEST_CASE("joint_variants__a_gap_of_satellites__is_bridged_by_the_walls") {
           " draws: trajectory ", made.before.rms(0), " m before, ", made.after.rms(0),
           " m after, chi-square over strips ", made.chi / made.n);
   CHECK(made.after.rms(kOfTrajectory) < made.before.rms(kOfTrajectory));
+}
+
+// SBET keeps angles on the ellipsoid, and sigmas along north and east: micrometres.
+TEST_CASE("joint_variants__a_drive_by_way_of_sbet__is_adjusted_as_the_drive_itself") {
+  Task task;
+  DriveKind kind;
+  kind.seed = kFirstSeed;
+  const DriveScenario made = driven(kind, task);
+  std::string folder = (std::filesystem::temp_directory_path() / "jalon-sbet-XXXXXX").string();
+  REQUIRE(::mkdtemp(folder.data()) != nullptr);
+  TrajectoryFileSettings there;
+  there.projection = MapSystem::kEnu;
+  constexpr double kDegree = std::numbers::pi / 180;
+  there.origin = {48.85 * kDegree, 2.35 * kDegree, 0};
+  const std::string path = folder + "/drive.out", sigmas = folder + "/drive.smrmsg";
+  write_trajectory(made.trajectory, path, sigmas, there, task);
+  const Trajectory read = read_trajectory(path, sigmas, there, task);
+  std::filesystem::remove_all(folder);
+  const auto adjusted = [&](const Trajectory& by) {
+    return adjust_jointly(made.model, made.cloud, by, settings_of(kind.sigmas), task);
+  };
+  const JointAdjustment one = adjusted(made.trajectory), two = adjusted(read);
+  REQUIRE(one.trajectory.by_m.size() == two.trajectory.by_m.size());
+  double most = 0;
+  for (size_t c = 0; c < one.trajectory.by_m.size(); ++c)
+    most = std::max({most, norm(one.trajectory.by_m[c] - two.trajectory.by_m[c]),
+                     norm(one.trajectory_sigmas[c] - two.trajectory_sigmas[c])});
+  for (size_t s = 0; s < one.model.strips.size(); ++s)
+    most = std::max(most, std::fabs(one.model.strips[s] - two.model.strips[s]));
+  MESSAGE("FIGURE joint variants, by way of SBET: the greatest change ", most, " m");
+  CHECK(one.strip_points == two.strip_points);
+  CHECK(most < 1e-4);
 }
 
 TEST_CASE("joint_variants__a_straight_street__is_held_across_and_named_along") {
