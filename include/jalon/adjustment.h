@@ -76,8 +76,11 @@ enum {
  * 5. Where all has settled, with "exchange", "kernel" = tukey and "matches" = rays, explanations of the walls by the
  *    facades are compared as a whole (joint compatibility: Neira & Tardos 2001): a facade that is off by metres may
  *    have met the wall of a parallel neighbour, which no point is left for. What explains the points better by a clear
- *    margin (1000 times as likely) is taken and the passes go on, three times at most; where no margin is clear the
- *    facades that claim one wall are not adjusted.
+ *    margin (1000 times as likely) is taken and the passes go on, three times at most; where no margin is clear, or a
+ *    facade would be off by more than step 2 accepts (five of its sigmas at most), those that claim one wall are not
+ *    adjusted. Strips that may be off by metres, all else being surer, are looked for before step 2: where another
+ *    may be that wall (less than 1000 times less likely), or it is farther off than step 2 accepts, they are not
+ *    adjusted, nor are those that are so far off as one strip in twenty drives is.
  *
  * From the sixth pass on a point whose match still changes is left out, so that passes do not go to and fro
  * between two answers.
@@ -125,6 +128,7 @@ JALON_API void jalon_adjustment_release(jalon_adjustment* adjustment);
  *     wrong_strips    float64      1     share of the matches that count which the cloud's field "strip" (uint32)
  *                                        contradicts; NaN without the field
  *     wrong_facades   float64      1     share of those to another facade
+ *     doubtful_strips uint64       -     whose walls may be those of others: not adjusted
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_summary(const jalon_adjustment* adjustment,
                                                             jalon_fields** out);
@@ -181,6 +185,7 @@ JALON_API JALON_CHECK jalon_status jalon_adjustment_facades(const jalon_adjustme
  *     sigma     float64  m     standard deviation
  *     points    uint64   -     that hold it; 0: it was not adjusted
  *     distance  float64  m     of the strip as given before its points as given; NaN: not adjusted
+ *     doubtful  uint8    -     1: its wall may be another's: not adjusted
  */
 JALON_API JALON_CHECK jalon_status jalon_adjustment_strips(const jalon_adjustment* adjustment,
                                                            jalon_fields** out);

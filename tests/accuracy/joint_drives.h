@@ -56,7 +56,7 @@ inline Left left_of(const JointAdjustment& a, const DriveScenario& s) {
   return left;
 }
 
-/// A drive of its own kind through the street of street_drive.h, closed.
+/// A drive of its own kind through the street of street_drive.h, closed: one street for all seeds, or each its own.
 struct DriveKind {
   ScenarioSigmas sigmas = kScenarioSigmas[4];
   uint64_t seed = 1;
@@ -68,6 +68,7 @@ struct DriveKind {
   double sigma_height_m = 0;  ///< of the drive; 0: its heights are right and the ground is as it is
   double sigma_ground_m = 0.1, ground_correlation_m = 25;
   Vec3 sigma_attitude_rad;  ///< of constant errors about the vehicle's axes
+  bool own_street = false;  ///< lengths of blocks, set-backs, turns and heights by the seed
 };
 
 /// Turns at the end, within four seconds, and drives back.
@@ -166,6 +167,11 @@ inline DriveScenario driven(const DriveKind& kind, Task& task) {
   // 1. The street, the drive, and what the model knows of them.
   StreetDriveSettings of;
   of.closed = true, of.corner = kind.corner;
+  if (kind.own_street) {
+    constexpr double kShortest = 0.75, kLongest = 1.25;  // houses of 5.4 to 9.6 m
+    of.seed = kind.seed;
+    of.leg_m *= kShortest + (kLongest - kShortest) * RandomStream(kind.seed, 41).uniform();
+  }
   of.sigma_position_m = kind.sigmas.trajectory_m;
   StreetDrive street = street_drive(of);
   if (kind.there_and_back) add_way_back(street.trajectory);

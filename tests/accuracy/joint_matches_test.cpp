@@ -9,9 +9,11 @@
 
 // Matches by rays against perfect ones: a closed street with roofs, ground, and things 5 m high before the houses that
 // the model lacks, 5 mm of noise; one setting, the default, for all five scenarios. Developed with seeds from 9001 on;
-// the long run has 9101 to 9150; JALON_JOINT_SEEDS=first-last: others. Last reported: 9674 to 9723, all five scenarios.
-// Three miss the line of 1.5, all by single ones on a wall that is not theirs, metres off: facades of scenario 3 11.0
-// (one of 3197), strips of scenario 4 3.9 (two of 16787); without these 1.00. Before: 9624 to 9673 one of each.
+// the long run has 9101 to 9150; JALON_JOINT_SEEDS=first-last: others. Reported once, unseen, 9724 to 9773, all five
+// scenarios (28 Nov 2026): all groups at most 1.19 but facades of scenario 3, 10.2 by one of 3137 that came to stand
+// before another on its wall (facade_exchange.cpp now doubts it: that draw 0.99). Strips adjusted of those that perfect
+// matches adjust: 98, 99, 92, 92 and 94 in 100. Before: 9674 to 9723 facades of scenario 3 11.0, strips of 4 3.9.
+// A street each, scenario 4, 9724 to 9760: strips 5.0 by one that is metres off; scenario 3: 0.99.
 
 namespace jalon::joint_matches_test {
 
@@ -67,11 +69,12 @@ struct Matched {
   }
 };
 
-Matched over_draws(size_t scenario, double covered, bool with_literal) {
+Matched over_draws(size_t scenario, double covered, bool with_literal, bool own_street = false) {
   Matched made;
   for (uint64_t seed = seeds().first; seed <= seeds().last; ++seed) {
     DriveKind kind;
     kind.sigmas = kScenarioSigmas[scenario], kind.seed = seed, kind.covered = covered;
+    kind.own_street = own_street;
     made.draw(kind, with_literal);
   }
   return made;
@@ -86,6 +89,16 @@ TEST_CASE("joint_matches__by_rays__come_near_to_perfect_ones_in_five_scenarios")
     made.tell("scenario " + std::to_string(scenario + 1), true);
     CHECK(made.clutter >= 0.1 * made.draws);
     for (size_t g = 0; g < kLeftGroups; ++g) CHECK(made.ratio(g) <= 1.5);
+  }
+}
+
+// Houses of other widths, set-backs, turns and heights for each draw; what is left against perfect matches is printed.
+TEST_CASE("joint_matches__in_a_street_of_their_own__leave_model_and_drive_as_near") {
+  for (const size_t scenario : {2u, 3u}) {
+    CAPTURE(scenario + 1);
+    const Matched made = over_draws(scenario, kTenth, false, true);
+    made.tell("a street each, scenario " + std::to_string(scenario + 1), false);
+    for (const size_t g : {kOfTrajectory, kOfBlocks}) CHECK(made.ratio(g) <= 1.5);
   }
 }
 

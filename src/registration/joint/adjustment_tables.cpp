@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/joint/adjustment_tables.h"
 
+#include <algorithm>
+
 #include "base/error.h"
 #include "base/table_columns.h"
 
@@ -77,6 +79,8 @@ FieldTable summary_table(const JointAdjustment& a) {
                     a.wrong_share);
   add_value<double>(t, "wrong_facades", "1", "share of matches to another facade",
                     a.wrong_facade_share);
+  add_value<uint64_t>(t, "doubtful_strips", "", "whose walls may be those of others: not adjusted",
+                      static_cast<uint64_t>(std::ranges::count(a.strip_is_doubtful, true)));
   return t;
 }
 
@@ -142,6 +146,9 @@ FieldTable strip_table(const JointAdjustment& a) {
   add_column<uint64_t>(t, a.strip_points, "points", "", "that hold it; 0: not adjusted", same);
   add_column<double>(t, a.strip_distances_m, "distance", "m",
                      "of the strip as given before its points as given", same);
+  add_column<uint8_t>(t, a.strip_is_doubtful, "doubtful", "",
+                      "1: its wall may be another's: not adjusted",
+                      [](bool is) { return static_cast<uint8_t>(is); });
   return t;
 }
 

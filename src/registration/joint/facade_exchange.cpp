@@ -20,6 +20,11 @@ constexpr size_t kLongest = 3;
 struct ExchangeChain {
   double gain = -std::numeric_limits<double>::infinity();
   std::vector<const FacadeClaim*> claims;
+
+  bool is_clear() const {
+    return gain >= kClearGain &&
+           std::ranges::all_of(claims, [](const FacadeClaim* c) { return c->is_within; });
+  }
 };
 
 class Exchanges {
@@ -36,13 +41,16 @@ class Exchanges {
   ExchangeChain best_without(uint32_t facade) {
     best_ = {}, now_ = {{}, {}};
     first_ = facade;
-    now_.gain = -own_[facade]->worth;
+    now_.gain = -worth_on_own(facade);
     fill(facade);
     return best_;
   }
   bool is_on_wall(uint32_t facade) const { return own_[facade] != nullptr; }
+  /// On no wall it would explain more: nothing.
+  bool is_refuted(uint32_t facade) const { return own_[facade]->worth < 0; }
 
  private:
+  double worth_on_own(uint32_t facade) const { return std::max(0.0, own_[facade]->worth); }
   // The wall was left: by whom it is taken.
   void fill(uint32_t wall) {
     for (const FacadeClaim* c : of_wall_[wall]) {
@@ -55,7 +63,7 @@ class Exchanges {
       const double before = now_.gain;
       now_.claims.push_back(c);
       now_.gain += c->worth;
-      if (c->facade != first_ && own != nullptr) now_.gain -= own->worth;
+      if (c->facade != first_ && own != nullptr) now_.gain -= worth_on_own(c->facade);
       if (now_.gain > best_.gain) best_ = now_;
       if (!is_end && now_.claims.size() < kLongest) fill(c->facade);
       now_.claims.pop_back();
@@ -77,8 +85,9 @@ FacadeExchange exchange_facades(std::span<const FacadeClaim> claims, uint32_t fa
   FacadeExchange made;
   for (uint32_t f = 0; f < facades; ++f) {
     if (!exchanges.is_on_wall(f)) continue;
+    if (exchanges.is_refuted(f)) made.doubtful.push_back(f);
     ExchangeChain chain = exchanges.best_without(f);
-    if (chain.gain >= kClearGain) clear.push_back({f, std::move(chain)});
+    if (chain.is_clear()) clear.push_back({f, std::move(chain)});
     else if (chain.gain > -kClearGain) {
       made.doubtful.push_back(f);
       for (const FacadeClaim* c : chain.claims) made.doubtful.push_back(c->facade);

@@ -16,6 +16,7 @@
 #include "registration/joint/block_search.h"
 #include "registration/joint/control_points.h"
 #include "registration/joint/strip_conditions.h"
+#include "registration/joint/strip_misfits.h"
 #include "registration/joint/strip_search.h"
 #include "registration/joint/strip_weights.h"
 #include "registration/joint/wall_claims.h"
@@ -65,12 +66,14 @@ class JointLoop {
     places_.trajectory.assign(controls, {});
     places_.model = {std::vector<Vec2>(scene_.blocks), std::vector<double>(scene_.facades, 0),
                      std::vector<double>(scene_.strips.size(), 0)};
+    made_.strip_is_doubtful.assign(scene_.strips.size(), false);
     if (settings.kernel != JointSettings::Kernel::kNone &&
         settings.matches == JointSettings::Matches::kRays) {
       places_.model.blocks = find_blocks(made_.points, scene_, settings, task);
       FoundStrips found = find_strips(made_.points, scene_, settings, task);
       places_.model.strips = std::move(found.offsets_m);
-      is_doubtful_ = std::move(found.is_doubtful);
+      made_.strip_is_doubtful = std::move(found.is_doubtful);
+      is_searched_ = is_strip_search_wanted(made_.points, settings);
     }
     for (size_t c = 0; c < controls; ++c)
       made_.trajectory_priors.push_back({problem_.x.sigmas_m[c], problem_.y.sigmas_m[c]});
@@ -81,6 +84,7 @@ class JointLoop {
       task_.checkpoint(static_cast<double>(pass) / static_cast<double>(settings_.most_passes));
       step();
       if (made_.converged && is_exchange_wanted()) exchange();
+      if (made_.converged) leave_rare_out();
     }
     finish();
     return std::move(made_);
@@ -141,27 +145,18 @@ class JointLoop {
   // before, from where of so many strips one is as far off in one drive of twenty. (A wrong strip has the offset of
   // another wall; three standard deviations have a strip or two of any drive, and its own offset would be held back.)
   void weigh_strips() {
-    constexpr double kRare = 0.05;
     if (settings_.kernel == JointSettings::Kernel::kNone || made_.passes.empty() ||
         settings_.matches == JointSettings::Matches::kIds)
       return;
-    const double greatest =
-        normal_quantile(1 - kRare / 2 / static_cast<double>(problem_.strips.size()));
+    const double greatest = rare_deviations(problem_.strips.size());
     const double variance = settings_.sigma_strip_m * settings_.sigma_strip_m;
-    for (size_t i = 0; i < problem_.strips.size(); ++i) {
-      const double t = misfit(problem_.strips[i]) / settings_.sigma_strip_m;
-      if (std::fabs(t) > greatest)
-        problem_.strips[i].measured_variance_m2 += variance * (t * t / (greatest * greatest) - 1);
-    }
+    for (StripCondition& strip : problem_.strips)
+      if (const double t = deviations_of(strip); t > greatest)
+        strip.measured_variance_m2 += variance * (t * t / (greatest * greatest) - 1);
   }
-  // Of a condition where everything but its strip stands as the pass before left it.
-  double misfit(const StripCondition& strip) const {
-    double sum = strip.distance_m + dot(strip.normal, places_.model.blocks[strip.block]) +
-                 places_.model.facades[strip.facade];
-    for (const auto& [control, share] : strip.shares)
-      sum -= share * dot(strip.normal, places_.trajectory[control]);
-    for (size_t k = 0; k < 3; ++k) sum += strip.turns_m[k] * attitude_rad_[static_cast<int>(k)];
-    return sum;
+  // Where everything but the strip stands as the pass before left it.
+  double deviations_of(const StripCondition& strip) const {
+    return std::fabs(strip_misfit_m(strip, places_, attitude_rad_)) / settings_.sigma_strip_m;
   }
 
   // Strips that hide each other by turns would go to and fro for ever; those points are no evidence of either.
@@ -177,9 +172,25 @@ class JointLoop {
 
   // Points of a strip that may be of another (strip_search.h) count for neither.
   void leave_doubtful_out(const std::vector<PointMatch>& matches) {
-    if (is_doubtful_.empty()) return;
     for (size_t i = 0; i < matches.size(); ++i)
-      if (matches[i].strip != kNoStrip && is_doubtful_[matches[i].strip]) made_.weights[i] = 0;
+      if (matches[i].strip != kNoStrip && made_.strip_is_doubtful[matches[i].strip])
+        made_.weights[i] = 0;
+  }
+
+  // Where all is settled and strips were searched for: one that is rarely so far off is between its wall as seen and
+  // where it is given (weigh_strips), which is neither. It is left out, and the loop goes on without it.
+  void leave_rare_out() {
+    if (!is_searched_) return;
+    const double greatest = rare_deviations(problem_.strips.size());
+    for (size_t i = 0; i < problem_.strips.size(); ++i)
+      if (deviations_of(problem_.strips[i]) > greatest) {
+        made_.strip_is_doubtful[conditions_.strip_of[i]] = true;
+        go_on();
+      }
+  }
+  void go_on() {
+    begun_ = made_.passes.size();
+    made_.converged = false;
   }
 
   bool is_exchange_wanted() const {
@@ -196,7 +207,6 @@ class JointLoop {
         wall_claims({points(), scene_, places_, made_.matches, made_.weights}, settings_, task_),
         scene_.facades);
     if (found.moves.empty() && found.doubtful.empty()) return;
-    if (is_doubtful_.empty()) is_doubtful_.assign(scene_.strips.size(), false);
     std::vector<bool> is_moved(scene_.facades, false), is_doubtful(scene_.facades, false);
     for (const FacadeExchange::Move& move : found.moves) {
       places_.model.facades[move.facade] = move.offset_m;
@@ -205,10 +215,9 @@ class JointLoop {
     for (const uint32_t facade : found.doubtful) is_doubtful[facade] = true;
     for (size_t s = 0; s < scene_.strips.size(); ++s) {
       if (is_moved[scene_.strips[s].facade]) places_.model.strips[s] = 0;
-      if (is_doubtful[scene_.strips[s].facade]) is_doubtful_[s] = true;
+      if (is_doubtful[scene_.strips[s].facade]) made_.strip_is_doubtful[s] = true;
     }
-    begun_ = made_.passes.size();
-    made_.converged = false;
+    go_on();
   }
 
   JointSolution solve(JointWanted wanted) {
@@ -337,7 +346,7 @@ class JointLoop {
   JointProblem problem_;
   StripConditions conditions_;
   JointPlaces places_;
-  std::vector<bool> is_doubtful_;     ///< of the strips; empty where they were not looked for
+  bool is_searched_ = false;          ///< strips were (strip_search.h)
   size_t exchanges_ = 0, begun_ = 0;  ///< of facades; the pass that the last of them led to
   Vec3 attitude_rad_;        ///< turns about the vehicle's axes, where the last pass left them
   JointPoints turned_;       ///< the points by them; empty where attitudes stay

@@ -41,6 +41,7 @@ struct JointAdjustment {
   std::vector<double>
       strip_distances_m;  ///< h: the given plane from the given points; NaN: not adjusted
   std::vector<uint64_t> strip_points;
+  std::vector<bool> strip_is_doubtful;  ///< its wall may be another's: given back as it was given
   JointPoints points;
   std::vector<PointMatch> matches;  ///< of the last pass
   std::vector<double> weights;
@@ -75,7 +76,8 @@ constexpr double kHeldShare = 0.01;
 
 /// The loop of Monnier (2014): match, adjust, move; the prior stays the one given. It ends when no match changes,
 /// when nothing moves by more than tolerance_m, or after most_passes; once it has settled, facades that stand on the
-/// wall of another change places (facade_exchange.h), and it goes on. Then, with sigma_ground_m, the heights by the
+/// wall of another change places (facade_exchange.h), strips that are rarely so far off are left out where strips were
+/// searched for, and it goes on. Then, with sigma_ground_m, the heights by the
 /// ground. model: of strips.
 JointAdjustment adjust_jointly(const Model& model, const Cloud& cloud, const Trajectory& trajectory,
                                const JointSettings& settings, Task& task);

@@ -15,8 +15,9 @@ namespace jalon {
 
 namespace {
 
-// Difference of chi-squares from which one of two strips is the wall: 20 times as likely.
-constexpr double kClear = 6;
+// Difference of chi-squares from which one of two strips is the wall: a thousand times as likely, as of facades
+// (facade_exchange.cpp). With 20 times three strips of 50 streets stood on another's wall.
+constexpr double kClear = 14;
 
 double plus_squares(double v, double more) { return v + more * more; }
 
@@ -66,7 +67,7 @@ class StripSearch {
         middles_(strip_middles(scene, extents_)),
         widest_m_(widest_of(extents_)),
         middle_cells_(middles_),
-        reach_m_(greatest_deviation(settings) * settings.sigma_strip_m),
+        reach_m_(kMostDeviations * settings.sigma_strip_m),
         least_alignment_(std::cos(settings.greatest_turn_rad)) {}
 
   /// The points of the strip's wall, from front to back; none where too few are seen.
@@ -186,10 +187,12 @@ FoundStrips find_strips(const JointPoints& points, const StripScene& scene,
     for (size_t s = begin; s < end; ++s)
       is_doubtful[s] = search.is_doubtful(static_cast<uint32_t>(s), walls);
   });
+  const double accepted_m = greatest_deviation(settings) * settings.sigma_strip_m;
   for (size_t s = 0; s < n; ++s) {
-    made.is_doubtful[s] = is_doubtful[s] != 0;
     const std::vector<MetPoint>& wall = walls.points[s];
-    if (!wall.empty() && !made.is_doubtful[s]) made.offsets_m[s] = wall[wall.size() / 2].distance_m;
+    const double offset_m = wall.empty() ? 0 : wall[wall.size() / 2].distance_m;
+    made.is_doubtful[s] = is_doubtful[s] != 0 || std::fabs(offset_m) > accepted_m;
+    if (!made.is_doubtful[s]) made.offsets_m[s] = offset_m;
   }
   return made;
 }

@@ -13,15 +13,17 @@ namespace jalon {
 struct FoundStrips {
   std::vector<double>
       offsets_m;  ///< how far each stands off along its normal; 0 where no wall is found
-  /// Another strip may be that wall as well, and nothing tells which of them is hidden: neither is evidence.
+  /// Another strip may be that wall as well, and nothing tells which of them is hidden, or the wall is farther off than
+  /// the sigmas allow: no evidence.
   std::vector<bool> is_doubtful;
 };
 
-/// Each strip's offset: to the wall (strip_surfaces.h) among the points before and behind it that the sigmas allow. A
-/// strip that stands metres before its wall meets the beams of its neighbours' instead, and its own pass beside it. A
-/// wall that a parallel strip may be, by its own sigma not much less likely, is given to neither: they stay where they
-/// are given and are doubtful. All else is taken as it is given, so that it must be surer than the strips: else, and
-/// where no wall is seen, a strip stays where it is given. O(points + strips (points and strips about them)).
+/// Each strip's offset: to the wall (strip_surfaces.h) among the points before and behind it, as far off as five of its
+/// sigmas. A strip that stands metres before its wall meets the beams of its neighbours' instead, and its own pass
+/// beside it. A wall that a parallel strip may be, by its own sigma not a thousand times less likely, is given to
+/// neither, and one that is farther off than points are accepted to none: they stay where they are given and are
+/// doubtful. All else is taken as it is given, so that it must be surer than the strips: else, and where no wall is
+/// seen, a strip stays where it is given. O(points + strips (points and strips about them)).
 FoundStrips find_strips(const JointPoints& points, const StripScene& scene,
                         const JointSettings& settings, Task& task);
 

@@ -15,9 +15,10 @@ namespace jalon {
 
 namespace {
 
-constexpr double kOnFacade = 3;        // standard deviations, of points that stand on a facade
-constexpr double kSurface_m = 0.15;    // and as far at least: joinery, see strip_surfaces.cpp
-constexpr double kMostChiSquare = 25;  // a facade that is so far off, or so turned, is no rival
+constexpr double kOnFacade = 3;      // standard deviations, of points that stand on a facade
+constexpr double kSurface_m = 0.15;  // and as far at least: joinery, see strip_surfaces.cpp
+// A facade that is so far off, or so turned, is no rival.
+constexpr double kMostChiSquare = kMostDeviations * kMostDeviations;
 // What a beam through a facade counts against one that ends on it, as for blocks (block_search.cpp).
 constexpr double kBeamThrough = 0.5;
 
@@ -67,7 +68,8 @@ class WallClaims {
         strips_of_(state.scene.facades),
         points_of_(state.scene.facades),
         facade_of_(at_.size(), kNoStrip),
-        reach_m_(greatest_deviation(settings) * settings.sigma_facade_m),
+        reach_m_(kMostDeviations * settings.sigma_facade_m),
+        accepted_m_(greatest_deviation(settings) * settings.sigma_facade_m),
         scatter_m_(scatter_m(state, settings)),
         strip_reach_m_(
             std::max(kSurface_m, kOnFacade * std::hypot(scatter_m_, settings.sigma_strip_m))),
@@ -93,7 +95,7 @@ class WallClaims {
     for (const uint32_t facade : candidates(wall))
       if (const auto stand = stand_of(facade, wall))
         made.push_back({facade, wall, stand->offset_m, stands_at(facade, stand->offset_m),
-                        worth_of(facade, wall, *stand)});
+                        worth_of(facade, wall, *stand), std::fabs(stand->offset_m) < accepted_m_});
     return made;
   }
 
@@ -240,7 +242,7 @@ class WallClaims {
   PointCells middle_cells_;
   std::vector<std::vector<uint32_t>> strips_of_, points_of_;  ///< of each facade
   std::vector<uint32_t> facade_of_;  ///< that a point's beam ends on; kNoStrip: on none
-  double reach_m_, scatter_m_, strip_reach_m_, least_alignment_, widest_m_ = 0;
+  double reach_m_, accepted_m_, scatter_m_, strip_reach_m_, least_alignment_, widest_m_ = 0;
 };
 
 }  // namespace

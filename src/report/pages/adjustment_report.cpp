@@ -122,6 +122,10 @@ void add_outcome(Page& page, const JointAdjustment& a) {
   if (a.weak_share < kHeldShare)
     page.note("Nothing is known along the direction (" + text_of(a.weak_direction.u, 3) + ", " +
               text_of(a.weak_direction.v, 3) + "): no wall seen stands across it.");
+  if (const auto doubtful = std::ranges::count(a.strip_is_doubtful, true); doubtful > 0)
+    page.note(grouped(static_cast<uint64_t>(doubtful)) +
+              " strips were not adjusted: what is seen may be the wall of another, and nothing "
+              "tells which.");
   if (a.points.outside > 0)
     page.note(grouped(a.points.outside) +
               " points are outside of the trajectory's time and moved as its ends do.");

@@ -40,6 +40,24 @@ TEST_CASE("exchange_facades__without_a_clear_margin__doubts_both_and_moves_none"
   CHECK(clear.doubtful.empty());
 }
 
+TEST_CASE("exchange_facades__with_a_rival_farther_off_than_the_sigmas_allow__doubts_both") {
+  const std::vector<FacadeClaim> claims{{1, 1, 1.5, true, 50}, {0, 1, -7.6, false, 62, false}};
+  const FacadeExchange found = exchange_facades(claims, 2);
+  CHECK(found.moves.empty());
+  CHECK(found.doubtful == std::vector<uint32_t>{0, 1});
+}
+
+TEST_CASE("exchange_facades__with_one_that_its_wall_speaks_against__doubts_it_and_moves_nobody") {
+  // 1 has come to stand before 0, on the wall of both.
+  const std::vector<FacadeClaim> claims{{0, 0, -0.5, true, 89},
+                                        {1, 0, 3.6, true, 90},
+                                        {1, 1, 3.6, true, -29},
+                                        {0, 1, -0.5, true, -6}};
+  const FacadeExchange found = exchange_facades(claims, 2);
+  CHECK(found.moves.empty());
+  CHECK(found.doubtful == std::vector<uint32_t>{0, 1});
+}
+
 TEST_CASE("exchange_facades__that_each_stand_on_the_next_ones_wall__all_move_on") {
   // 2 is on the wall of 1 and 1 on that of 0, which is on none.
   const std::vector<FacadeClaim> claims{

@@ -164,6 +164,30 @@ TEST_CASE("adjust_jointly__by_ids__leaves_a_strip_where_its_points_are") {
   CHECK(std::fabs(off + a.model.strips[farthest]) < 0.1);
 }
 
+// By rays it may as well be on the wall of another: it is not adjusted, instead of held between the two.
+TEST_CASE("adjust_jointly__by_rays__leaves_strips_that_are_rarely_so_far_off_and_says_which") {
+  DriveScenarioSettings from = small_drive();
+  from.scenario = 4;
+  Task task;
+  const DriveScenario made = drive_scenario(from, task);
+  JointSettings settings = settings_of(from);
+  settings.matches = JointSettings::Matches::kIds;
+  JointAdjustment a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
+  size_t farthest = 0;
+  for (size_t s = 0; s < a.model.strips.size(); ++s)
+    if (a.strip_points[s] > 0 && std::fabs(a.model.strips[s]) > std::fabs(a.model.strips[farthest]))
+      farthest = s;
+  settings.sigma_strip_m = std::fabs(made.offsets.strips[farthest]) / 4.5;
+  settings.matches = JointSettings::Matches::kRays;
+  a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
+  CHECK(a.converged);
+  CHECK(a.strip_is_doubtful[farthest]);
+  CHECK(a.strip_points[farthest] == 0);
+  CHECK(a.model.strips[farthest] == 0);
+  for (size_t s = 0; s < a.model.strips.size(); ++s)
+    if (a.strip_points[s] > 0) CHECK(std::fabs(made.offsets.strips[s] + a.model.strips[s]) < 0.15);
+}
+
 TEST_CASE("adjust_jointly__with_wrong_priors__fails_its_test_of_the_model") {
   DriveScenarioSettings from = small_drive();
   Task task;

@@ -73,7 +73,7 @@ TEST_CASE("find_strips__behind_a_hoarding__finds_the_wall_and_not_what_stands_be
 
 TEST_CASE("find_strips__with_no_wall_within_reach_or_of_another_turn__leaves_it") {
   OneStrip far, turned;
-  far.surface(7, 0.5, 8.5);
+  far.surface(10.5, 0.5, 8.5);
   CHECK(far.found() == 0);
   turned.surface(-1, 0.5, 8.5);
   for (Vec2& n : turned.points.normal) n = {1, 0};
@@ -89,20 +89,32 @@ TEST_CASE(
   FoundStrips found = two.all();
   CHECK(found.is_doubtful == std::vector<bool>{true, true});
   CHECK(found.offsets_m == std::vector<double>{0, 0});
-  // 0.2 m before one: for the other the wall stands 5.2 m off, e^3 times less likely.
+  // 0.2 m before one: for the other the wall stands 8.2 m off, e^8 times less likely.
   OneStrip near;
-  near.rival(5);
+  near.rival(8);
   near.surface(-0.2, 0.5, 8.5);
   found = near.all();
   CHECK(!found.is_doubtful[0]);
   CHECK(found.is_doubtful[1]);
   CHECK(found.offsets_m[0] == doctest::Approx(0.2));
   CHECK(found.offsets_m[1] == 0);
+  // 4.7 m before one, 6.2 m before the other: three strips in a thousand are off by more than three sigmas.
+  OneStrip rare;
+  rare.rival(1.5);
+  rare.surface(-4.7, 0.5, 8.5);
+  CHECK(rare.all().is_doubtful == std::vector<bool>{true, true});
   // Beside each other, or each with its own wall: no rivals.
   OneStrip beside;
   beside.rival(0.4, 2);
   beside.surface(-3.9, 0.5, 8.5);
   CHECK(!beside.all().is_doubtful[0]);
+}
+
+TEST_CASE("find_strips__with_a_wall_farther_off_than_points_are_accepted__doubts_it") {
+  OneStrip strip;
+  strip.surface(-7, 0.5, 8.5);
+  CHECK(strip.found() == 0);
+  CHECK(strip.all().is_doubtful == std::vector<bool>{true});
 }
 
 TEST_CASE("find_strips__that_are_as_sure_as_the_rest__leaves_them") {

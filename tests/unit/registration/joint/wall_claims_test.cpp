@@ -99,6 +99,19 @@ TEST_CASE("wall_claims__of_facades_that_are_as_likely__leave_both_doubtful") {
   CHECK(found.doubtful == std::vector<uint32_t>{0, 1});
 }
 
+TEST_CASE("wall_claims__of_a_facade_that_would_be_off_by_more_than_three_sigmas__count_as_well") {
+  // 6.4 m before one facade and 4.7 m behind the other: 13 times as likely.
+  TwoWalls walls(6.4, -4.7);
+  walls.wall(0.5, 8.5);
+  const std::vector<FacadeClaim> claims = walls.claims();
+  REQUIRE(claims.size() == 2);
+  CHECK(claims[1].facade == 0);
+  CHECK(claims[1].offset_m == doctest::Approx(-6.4));
+  const FacadeExchange found = exchange_facades(claims, 2);
+  CHECK(found.moves.empty());
+  CHECK(found.doubtful == std::vector<uint32_t>{0, 1});
+}
+
 TEST_CASE("wall_claims__of_a_facade_that_is_turned_from_the_wall__are_worth_less") {
   // 3 degrees: 0.16 m over 3 m, of strips that are surer than that.
   TwoWalls straight(3.4, -4.6), turned(3.4, -4.6, 0.052);
@@ -140,7 +153,7 @@ TEST_CASE("wall_claims__of_two_on_one_wall__do_not_both_count_a_point_whose_beam
 }
 
 TEST_CASE("wall_claims__beyond_the_sigma_or_with_few_points__are_not_made") {
-  TwoWalls far(6.5, -2);
+  TwoWalls far(10.5, -2);
   far.wall(0.5, 8.5);
   CHECK(far.claims().size() == 1);
   TwoWalls few(0.8, -5.2);
