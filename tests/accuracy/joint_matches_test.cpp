@@ -11,8 +11,8 @@
 // the model lacks, 5 mm of noise; one setting, the default, for all five scenarios. Developed with seeds from 9001 on;
 // the long run has 9101 to 9150; JALON_JOINT_SEEDS=first-last: others. Reported once, unseen, 9724 to 9773, all five
 // scenarios (28 Nov 2026): all groups at most 1.19 but facades of scenario 3, 10.2 by one of 3137 that came to stand
-// before another on its wall (facade_exchange.cpp now doubts it: that draw 0.99). Strips adjusted of those that perfect
-// matches adjust: 98, 99, 92, 92 and 94 in 100. Before: 9674 to 9723 facades of scenario 3 11.0, strips of 4 3.9.
+// before another on its wall (facade_exchange.cpp now doubts it: scenario 3, 9774 to 9823, 0.98). Strips adjusted of
+// those that perfect matches adjust: 98, 99, 92, 92 and 94 in 100. Before: 9674 to 9723 11.0; strips of scenario 4 3.9.
 // A street each, scenario 4, 9724 to 9760: strips 5.0 by one that is metres off; scenario 3: 0.99.
 
 namespace jalon::joint_matches_test {
