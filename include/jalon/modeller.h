@@ -54,7 +54,8 @@ typedef struct jalon_modeller jalon_modeller;
  *   "fill_spacings" (12) spacings of the wall's points; the others are holes of the wall's face, or notches, and a part
  *   no_data has the face that fills them. never: all are. outline: wall all over its outline; parts no_data without
  *   faces say where nobody measured it. No area is wall and no_data at once. What is below "min_opening_area_m2" is not
- *   looked at and is wall in any case.
+ *   looked at and is wall in any case. With "evidence" walls end where nothing more was measured of them; what is below
+ *   a wall and above its foot there, and shows nothing or something before the wall, is no_data beside its faces.
  * - depth of an opening: median distance of its joinery (the frame, where it shows) behind the wall (4.4.2); its pane
  *   has the outline of the hole, moved along the wall's normal; reveals join both, arcs as planar strips within 1 mm.
  *   The wall's hole, the reveals and the pane share vertices; column "part" of the ring names the opening.

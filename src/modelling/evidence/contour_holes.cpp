@@ -19,6 +19,7 @@ constexpr double kChord = 0.1;       // spacings
 constexpr double kSamePlace = 0.7;   // of the boxes of an opening and a contour's hole, together
 constexpr double kLeftOfWall = 0.1;  // of an opening that a contour goes round
 constexpr int kLooks = 12;           // along either side of an opening's box
+constexpr double kSlit = 0.5;        // spacings
 
 // Area of the cells of a hole outside of the shape that were seen through.
 double seen_beyond_m2(const Chain& hole, const RingBox& box, const OpeningShape& shape,
@@ -113,6 +114,29 @@ std::vector<ContourPiece>::iterator part_about(const Chain& opening,
 }
 
 }  // namespace
+
+PolygonWithHoles box_polygon(double left, double foot, double right, double head) {
+  return {{{left, foot}, {right, foot}, {right, head}, {left, head}}, {}};
+}
+
+std::vector<PolygonWithHoles> without(const std::vector<PolygonWithHoles>& region,
+                                      std::vector<PolygonWithHoles> others, double spacing_m) {
+  std::vector<PolygonWithHoles> left = combined(SetOperation::kDifference, region, others);
+  for (const PolygonWithHoles& polygon : left) {
+    RingBox around;
+    around.add(polygon.outline);
+    for (const auto& hole : polygon.holes) {
+      RingBox box;
+      box.add(hole);
+      const double middle = box.middle().u, half = kSlit * spacing_m / 2;
+      others.push_back(
+          box_polygon(middle - half, around.low.v - 1, middle + half, around.high.v + 1));
+    }
+  }
+  left = combined(SetOperation::kDifference, region, others);
+  std::erase_if(left, [](const PolygonWithHoles& polygon) { return !polygon.holes.empty(); });
+  return left;
+}
 
 std::vector<PolygonWithHoles> cut_out(const PolygonWithHoles& whole,
                                       std::span<const PolygonWithHoles> openings, double near_m) {

@@ -15,6 +15,12 @@ namespace jalon {
 /// The shape's ring, its arcs as chords.
 std::vector<Vec2> polygon_of(const OpeningShape& shape, double spacing_m);
 
+PolygonWithHoles box_polygon(double left, double foot, double right, double head);
+
+/// A region less others, as polygons without holes: those that lie inside it are joined to its border by upright slits.
+std::vector<PolygonWithHoles> without(const std::vector<PolygonWithHoles>& region,
+                                      std::vector<PolygonWithHoles> others, double spacing_m);
+
 /// What openings at its border leave of a polygon. One that lies inside, so near to the border that nothing of the wall
 /// is between, is joined to the border where that comes nearest; what stays a hole is farther inside.
 std::vector<PolygonWithHoles> cut_out(const PolygonWithHoles& whole,

@@ -26,8 +26,7 @@ constexpr double kAtBorder_m = 0.06;  // and within this, a sill's or a threshol
 constexpr double kThrough = 3;  // times that: an opening at the border is cut so far beyond it
 constexpr int kPlaces = 9;      // along a side
 constexpr double kFormSigma =
-    0.25;                      // spacings: of borders fitted to points; measured on the grammar
-constexpr double kSlit = 0.5;  // spacings
+    0.25;  // spacings: of borders fitted to points; measured on the grammar
 constexpr double kBesideOpening = 3;  // spacings from an opening to where nothing was measured
 
 // Step 1: a grid in the rim of each opening.
@@ -157,10 +156,6 @@ std::vector<DrawnShape> drawn_shapes(std::span<const OpeningShape> openings,
   return kept;
 }
 
-PolygonWithHoles box_polygon(double left, double foot, double right, double head) {
-  return {{{left, foot}, {right, foot}, {right, head}, {left, head}}, {}};
-}
-
 struct Cutting {
   std::vector<PolygonWithHoles> polygons;  ///< the opening and its ways out
   bool is_at_border = false;
@@ -239,26 +234,6 @@ std::vector<ContourPiece> with_openings(const ContourPiece& piece,
   return out;
 }
 
-// A region less others, as polygons without holes: those that lie inside it are joined to its border by upright slits.
-std::vector<PolygonWithHoles> without(const Chain& region, std::vector<PolygonWithHoles> others,
-                                      double spacing_m) {
-  const PolygonWithHoles whole{region, {}};
-  RingBox around;
-  around.add(region);
-  std::vector<PolygonWithHoles> left = combined(SetOperation::kDifference, {{whole}}, others);
-  for (const PolygonWithHoles& polygon : left)
-    for (const auto& hole : polygon.holes) {
-      RingBox box;
-      box.add(hole);
-      const double middle = box.middle().u, half = kSlit * spacing_m / 2;
-      others.push_back(
-          box_polygon(middle - half, around.low.v - 1, middle + half, around.high.v + 1));
-    }
-  left = combined(SetOperation::kDifference, {{whole}}, others);
-  std::erase_if(left, [](const PolygonWithHoles& polygon) { return !polygon.holes.empty(); });
-  return left;
-}
-
 // What an opening takes, with room around it. A hole of the contour that draws it may reach beyond its shape.
 void add_taken(const DrawnShape& drawn, double spacing_m, std::vector<PolygonWithHoles>& out) {
   const double room = kBesideOpening * spacing_m;
@@ -277,7 +252,7 @@ void add_unseen(const ContourPiece& piece, std::span<const DrawnShape> shapes, d
   for (const DrawnShape& drawn : shapes) add_taken(drawn, spacing_m, beside);
   for (const Chain& hole : piece.openings) {
     for (const PolygonWithHoles& left :
-         without(reversed_chain(hole), those_meeting(hole, beside), spacing_m)) {
+         without({{reversed_chain(hole), {}}}, those_meeting(hole, beside), spacing_m)) {
       const double area = signed_area(left.outline);
       if (area < setting.min_opening_area_m2 ||
           equivalent_width(area, perimeter(left.outline)) < setting.min_opening_width_m)

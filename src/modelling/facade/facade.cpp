@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "modelling/facade/facade.h"
 
+#include <iterator>
+
 #include "modelling/edges/join/vectorise.h"
 #include "modelling/evidence/evidence.h"
 #include "modelling/evidence/pieces_apart.h"
 #include "modelling/facade/assembly.h"
 #include "modelling/plane/ring_tools.h"
+#include "modelling/walls/border_shadows.h"
 
 namespace jalon {
 
@@ -21,6 +24,19 @@ EvidenceSetting evidence_setting(const PlanSetting& plan) {
   out.cells.on_m = survey.min_depth_m;
   out.cells.behind_m = survey.max_depth_m;
   return out;
+}
+
+// Walls end at what was measured: beside them too it is told what nobody measured of them.
+void add_border_shadows(const std::vector<WallEvidence>& evidence, const ContourSetting& setting,
+                        FacadePlan& plan, Task& task) {
+  for (PlannedFacade& facade : plan.facades)
+    for (PlannedWall& planned : facade.walls) {
+      auto more = border_shadows(plan.planes[planned.plane], planned.wall,
+                                 evidence[planned.plane].cells, setting, task);
+      auto& shadows = planned.wall.shadows;
+      shadows.insert(shadows.end(), std::make_move_iterator(more.begin()),
+                     std::make_move_iterator(more.end()));
+    }
 }
 
 Model run(const Segmentation& given, const ExtrusionSettings& settings,
@@ -63,6 +79,7 @@ FacadePlan plan_model(Segmentation& segmentation, const ExtrusionSettings& setti
     }
   FacadePlan plan = plan_facades(segmentation, std::move(planes), settings.plan, task, evidence);
   plan.shared = std::move(shared);
+  if (by_evidence) add_border_shadows(evidence, settings.vectorise.contour, plan, task);
   return plan;
 }
 
