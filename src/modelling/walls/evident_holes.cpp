@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "geometry/polygon2.h"
+#include "geometry/polygon_sets.h"
+#include "modelling/evidence/contour_holes.h"
 #include "modelling/evidence/joined_lights.h"
 #include "modelling/plane/ring_tools.h"
 
@@ -24,6 +26,9 @@ constexpr NotchSetting kAnyNotch{0.1, 0.1, 1e6};
 constexpr double kHeldShare =
     0.2;  // of the smaller box: as shapes may lie over each other (find_openings.h)
 constexpr double kShapeInset_spacings = 1;  // drawn_contour.cpp
+// Of a notch beyond the shape, so wide along its border: as holes of a contour have (contour_holes.cpp).
+constexpr double kMoreSpacings = 2;
+constexpr double kChordOfNotch = 0.1;  // spacings
 
 // Whether the middle of a shape lies in one of the wall's faces: then it was not cut out of it.
 bool is_in_a_face(const VectorPlane& wall, const Vec2& p) {
@@ -41,6 +46,20 @@ bool is_held(const RingBox& box, std::span<const WallHole> holes) {
     const double least = std::min(box.width() * box.height(), other.width() * other.height());
     return width > 0 && height > 0 && width * height > kHeldShare * least;
   });
+}
+
+OpeningShape drawn_shape(const OpeningCandidate& candidate, double spacing_m) {
+  return candidate.shape.grown((candidate.is_settled ? 0 : kShapeInset_spacings) * spacing_m);
+}
+
+// Whether a notch is the opening alone. One that goes on where something hides the wall beside or above the opening is
+// no more of it.
+bool has_its_form(const WallHole& notch, const OpeningCandidate& candidate, double spacing_m) {
+  const std::vector<Vec2> shape = polygon_of(drawn_shape(candidate, spacing_m), spacing_m),
+                          outline = flattened(notch.outline, kChordOfNotch * spacing_m);
+  const PolygonWithHoles a{outline, {}}, b{shape, {}};
+  const double more_m2 = signed_area(outline) - shared_area({{a}}, {{b}}).both;
+  return more_m2 <= kMoreSpacings * spacing_m * perimeter(shape);
 }
 
 // The piece whose border comes nearest to a place.
@@ -120,7 +139,10 @@ std::vector<WallHole> evident_holes(const VectorPlane& wall,
                                     std::span<const OpeningCandidate> candidates) {
   std::vector<WallHole> out = holes_of(wall, kAnyNotch);
   std::erase_if(out, [&](const WallHole& hole) {
-    return hole.is_notch && (candidate_of(hole, candidates) < 0 || holds_several(hole, candidates));
+    if (!hole.is_notch) return false;
+    const int32_t candidate = candidate_of(hole, candidates);
+    return candidate < 0 || holds_several(hole, candidates) ||
+           !has_its_form(hole, candidates[static_cast<size_t>(candidate)], wall.spacing_m);
   });
   drop_second_notches(candidates, out);
   add_bays(wall, candidates, out);
@@ -136,8 +158,7 @@ void add_bays(const VectorPlane& wall, std::span<const OpeningCandidate> candida
       is_drawn[static_cast<size_t>(candidate)] = 1;
   for (size_t k = 0; k < candidates.size(); ++k) {
     if (!candidates[k].is_opening || is_drawn[k] != 0) continue;
-    const double inset = candidates[k].is_settled ? 0 : kShapeInset_spacings;
-    const OpeningShape shape = candidates[k].shape.grown(inset * wall.spacing_m);
+    const OpeningShape shape = drawn_shape(candidates[k], wall.spacing_m);
     const Vec2 middle = shape.box().middle();
     if (is_in_a_face(wall, middle) || is_held(shape.box(), holes)) continue;
     WallHole bay;

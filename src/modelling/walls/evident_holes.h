@@ -15,8 +15,9 @@ namespace jalon {
 int32_t candidate_of(const WallHole& hole, std::span<const OpeningCandidate> candidates);
 
 /// The holes of a wall that was drawn by its evidence: those of its faces; for each opening at the border the notch
-/// that was cut for it, or, where its form shows in no face (a pier beside it whose foot nobody saw), the shape
-/// itself as a bay. Other notches are the wall's own outline. Openings that are in no face at all are left out.
+/// that was cut for it, or, where its form shows in no face (a pier beside it whose foot nobody saw; a canopy that
+/// hides the wall above it, so that the notch goes on there), the shape itself as a bay. Other notches are the wall's
+/// own outline. Openings that are in no face at all are left out.
 std::vector<WallHole> evident_holes(const VectorPlane& wall,
                                     std::span<const OpeningCandidate> candidates);
 

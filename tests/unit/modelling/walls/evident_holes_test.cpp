@@ -87,6 +87,24 @@ TEST_CASE("evident_holes__an_outline_that_goes_down_in_steps_has_one_notch_for_a
   }
 }
 
+TEST_CASE(
+    "evident_holes__a_notch_that_goes_on_above_its_opening_where_wall_is_hidden_is_no_more_of_it") {
+  VectorFace face;
+  face.outline =
+      rings::ring_of({{0, 0}, {6, 0}, {6, 2.9}, {7, 2.9}, {7, 0}, {10, 0}, {10, 5}, {0, 5}});
+  const VectorPlane wall = rings::wall_of({face}, kDrawnSpacing_m);
+  const std::vector<OpeningCandidate> door{candidate_at({6.02, 0}, {6.98, 1.98})};
+  const auto holes = evident_holes(wall, door);
+  REQUIRE(holes.size() == 1);
+  CHECK(holes[0].is_bay);
+  CHECK(ring_box(holes[0].outline).high.v == doctest::Approx(2));
+  // As high as the notch it has its form.
+  const std::vector<OpeningCandidate> gate{candidate_at({6.02, 0}, {6.98, 2.88})};
+  const auto whole = evident_holes(wall, gate);
+  REQUIRE(whole.size() == 1);
+  CHECK_FALSE(whole[0].is_bay);
+}
+
 TEST_CASE("evident_holes__an_opening_whose_form_shows_in_no_face_is_a_bay_beside_the_nearest") {
   VectorPlane wall = rings::wall_of(
       {{rings::rectangle({0, 0}, {4, 3}), {}}, {rings::rectangle({6.5, 0}, {9, 3}), {}}},
