@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,6 +16,7 @@ namespace jalon {
 
 namespace {
 
+constexpr double kHeightStep_m = 1e-9;     // of sums: below any noise, and 2^63 of them are enough
 constexpr double kLeastStep_m = 0.01;      // roller blinds hang twice as far behind the wall
 constexpr double kLeastStepSide_m = 0.25;  // half of a small window
 constexpr uint32_t kLeastStepCells = 4;    // across: fewer say little of a rectangle
@@ -29,33 +31,6 @@ constexpr uint32_t kAlignedCells = 2;  // sides of like openings differ by
 // Of a row below a blind: open. Of such rows: between jambs that go on.
 constexpr double kContinuedShare = 0.6;
 constexpr uint32_t kContinuedRows = 2;  // below a blind
-
-// Mean height of the wall's points by cells, over that of its typical cell; NaN: no point.
-std::vector<float> means_of(const Cloud& cloud, const CellSource& source, const WallCells& cells) {
-  std::vector<float> out(static_cast<size_t>(cells.columns) * cells.rows, 0);
-  std::vector<uint32_t> count(out.size(), 0);
-  for (const uint32_t i : source.points) {
-    const Vec3 p = cloud.point(i);
-    const double w = dot(p - cells.frame.origin, cells.frame.normal) - cells.frame.height;
-    if (std::fabs(w) > cells.on_m) continue;
-    const Vec2 at = (cells.frame.project(p) - cells.origin) * (1 / cells.cell_m);
-    if (!(at.u >= 0 && at.v >= 0 && at.u < cells.columns && at.v < cells.rows)) continue;
-    const size_t k = static_cast<size_t>(at.v) * cells.columns + static_cast<size_t>(at.u);
-    out[k] += static_cast<float>(w);
-    ++count[k];
-  }
-  std::vector<float> sorted;
-  for (size_t k = 0; k < out.size(); ++k) {
-    out[k] = count[k] > 0 ? out[k] / static_cast<float>(count[k])
-                          : std::numeric_limits<float>::quiet_NaN();
-    if (count[k] > 0) sorted.push_back(out[k]);
-  }
-  if (sorted.empty()) return out;
-  const auto middle = sorted.begin() + static_cast<ptrdiff_t>(sorted.size() / 2);
-  std::nth_element(sorted.begin(), middle, sorted.end());
-  for (float& mean : out) mean -= *middle;
-  return out;
-}
 
 // Two levels, and what they leave unexplained.
 struct Levels {
@@ -276,12 +251,33 @@ class SetBack {
 
 }  // namespace
 
-std::vector<RingBox> mark_set_back(const Cloud& cloud, const CellSource& source,
-                                   const WallCells& cells, std::span<uint8_t> marks, Task& task) {
+void CellHeights::add(size_t cell, double height_m) {
+  std::atomic_ref<int64_t>(steps_[cell])
+      .fetch_add(std::llround(height_m / kHeightStep_m), std::memory_order_relaxed);
+  std::atomic_ref<uint32_t>(counts_[cell]).fetch_add(1, std::memory_order_relaxed);
+}
+
+std::vector<float> CellHeights::means_m() const {
+  std::vector<float> out(steps_.size(), std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> sorted;
+  for (size_t k = 0; k < out.size(); ++k) {
+    if (counts_[k] == 0) continue;
+    out[k] = static_cast<float>(kHeightStep_m * static_cast<double>(steps_[k]) / counts_[k]);
+    sorted.push_back(out[k]);
+  }
+  if (sorted.empty()) return out;
+  const auto middle = sorted.begin() + static_cast<ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  for (float& mean : out) mean -= *middle;
+  return out;
+}
+
+std::vector<RingBox> mark_set_back(const CellHeights& heights, const WallCells& cells,
+                                   std::span<uint8_t> marks, Task& task) {
   std::vector<RingBox> out;
   if (marks.empty()) return out;
   task.checkpoint(0);
-  const std::vector<float> means = means_of(cloud, source, cells);
+  const std::vector<float> means = heights.means_m();
   for (const CellBox& box : SetBack(means, cells, marks).run(task))
     out.push_back({cells.origin + Vec2{static_cast<double>(box.c0), static_cast<double>(box.r0)} *
                                       cells.cell_m,

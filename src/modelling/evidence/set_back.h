@@ -7,12 +7,26 @@
 #include <vector>
 
 #include "base/task.h"
-#include "cloud/cloud.h"
 #include "modelling/evidence/opening_shape.h"
 #include "modelling/evidence/wall_cells.h"
 #include "modelling/plane/ring_tools.h"
 
 namespace jalon {
+
+/// Heights over a wall's plane by cells, of the points that count as on it: in whole steps, so that threads may add in
+/// any order.
+class CellHeights {
+ public:
+  explicit CellHeights(size_t cells) : steps_(cells, 0), counts_(cells, 0) {}
+
+  void add(size_t cell, double height_m);
+  /// Means over that of the typical cell; NaN: no point.
+  std::vector<float> means_m() const;
+
+ private:
+  std::vector<int64_t> steps_;
+  std::vector<uint32_t> counts_;
+};
 
 /// Blinds and shutters that close an opening less behind the wall than what counts as on it. One point does not tell
 /// them from the wall, the mean of a patch does. Their cells are marked as seen through.
@@ -21,11 +35,11 @@ namespace jalon {
 ///    all about. The rectangle must leave much less unexplained.
 /// 3. Recessed panels of a wall have steps too. What fills openings goes on in one (a blind that is partly down), or
 ///    has the like of its size in its row or column.
-/// Before: marks of the cells, of all points; source: the wall's points. After: no cell of such a rectangle is marked
-/// as on the plane. The rectangles, in the plane's coordinates. The same bits for any number of threads. O(points of
-/// the wall + cells).
-std::vector<RingBox> mark_set_back(const Cloud& cloud, const CellSource& source,
-                                   const WallCells& cells, std::span<uint8_t> marks, Task& task);
+/// Before: marks of the cells, and heights of the points that marked them as on the plane: the wall's own, and those
+/// that no segment took, as it hangs on a point whether a blind is the wall's. After: no cell of such a rectangle is
+/// marked as on the plane. The rectangles, in the plane's coordinates. O(cells).
+std::vector<RingBox> mark_set_back(const CellHeights& heights, const WallCells& cells,
+                                   std::span<uint8_t> marks, Task& task);
 
 /// Whether one of them lies in an opening: contours take its points for the wall's.
 bool has_set_back(const WallCells& cells, const OpeningShape& opening);

@@ -30,6 +30,7 @@ constexpr size_t kWallCellsPointsPerChunk = 1 << 15;
 struct Sight {
   WallCells out;
   std::vector<uint8_t> marks;
+  CellHeights heights{0};
   uint32_t own = 0;
   double almost_m = 0;               ///< farther behind the plane than noise puts its own points
   std::vector<uint8_t> is_parallel;  ///< by label
@@ -38,9 +39,12 @@ struct Sight {
   void mark(const Vec2& p, uint8_t what) {
     mark_cell((p.u - out.origin.u) / out.cell_m, (p.v - out.origin.v) / out.cell_m, what);
   }
-  void mark_cell(double column, double row, uint8_t what) {
+  // height_m: of a point on the plane.
+  void mark_cell(double column, double row, uint8_t what, double height_m = 0) {
     if (!(column >= 0 && row >= 0 && column < out.columns && row < out.rows)) return;
-    uint8_t& cell = marks[static_cast<size_t>(row) * out.columns + static_cast<size_t>(column)];
+    const size_t k = static_cast<size_t>(row) * out.columns + static_cast<size_t>(column);
+    uint8_t& cell = marks[k];
+    if (what == kMarkOn) heights.add(k, height_m);
     if ((std::atomic_ref<uint8_t>(cell).load(std::memory_order_relaxed) & what) != what)
       std::atomic_ref<uint8_t>(cell).fetch_or(what, std::memory_order_relaxed);
   }
@@ -87,6 +91,7 @@ Sight prepared(const Segmentation& segmentation, const CellSource& source,
   out.columns = static_cast<uint32_t>(std::ceil((box.width() + 2 * margin) / out.cell_m));
   out.rows = static_cast<uint32_t>(std::ceil((box.height() + 2 * margin) / out.cell_m));
   sight.marks.assign(static_cast<size_t>(out.columns) * out.rows, 0);
+  sight.heights = CellHeights(sight.marks.size());
   return sight;
 }
 
@@ -155,7 +160,7 @@ void look_at(Sight& sight, const CellSetting& setting, const Cloud& cloud,
     const bool has_eye = station != nullptr;
     if (!has_eye && (w < -setting.deep_m || w > setting.before_m)) continue;
     const uint8_t what = mark_across(sight, setting, w, labels[i], has_eye);
-    if (what != 0) sight.mark_cell(block.column[k], block.row[k], what);
+    if (what != 0) sight.mark_cell(block.column[k], block.row[k], what, w);
     if (has_eye && std::fabs(w) > sight.out.on_m)
       look_along_ray(sight, station->pose.translation(), cloud.point(i), w);
   }
@@ -195,7 +200,8 @@ std::vector<WallCells> wall_cells(const Segmentation& segmentation,
   parallel_for(task, sights.size(), 1, [&](size_t begin, size_t end) {
     for (size_t s = begin; s < end; ++s) {
       WallCells& cells = sights[s].out;
-      cells.set_back = mark_set_back(cloud, sources[s], cells, sights[s].marks, task);
+      cells.set_back = mark_set_back(sights[s].heights, cells, sights[s].marks, task);
+      sights[s].heights = CellHeights(0);
       classify_cells(sights[s].marks, cells, task);
     }
   });

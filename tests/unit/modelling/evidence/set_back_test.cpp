@@ -48,12 +48,15 @@ std::vector<RingBox> found_in(const std::function<double(double, double)>& depth
   cells.columns = static_cast<uint32_t>(9 / cells.cell_m) + 1;
   cells.rows = static_cast<uint32_t>(4 / cells.cell_m) + 1;
   std::vector<uint8_t> marks(static_cast<size_t>(cells.columns) * cells.rows, kMarkBehind);
+  CellHeights heights(marks.size());
   for (const Vec3& p : points) {
     const Vec2 at = (cells.frame.project(p) - cells.origin) * (1 / cells.cell_m);
-    marks[static_cast<size_t>(at.v) * cells.columns + static_cast<size_t>(at.u)] = kMarkOn;
+    const size_t k = static_cast<size_t>(at.v) * cells.columns + static_cast<size_t>(at.u);
+    marks[k] = kMarkOn;
+    heights.add(k, dot(p - cells.frame.origin, cells.frame.normal) - cells.frame.height);
   }
   Task task;
-  std::vector<RingBox> out = mark_set_back(*segmentation.cloud, source, cells, marks, task);
+  std::vector<RingBox> out = mark_set_back(heights, cells, marks, task);
   for (RingBox& box : out)
     box = {box.low - cells.origin, box.high - cells.origin};  // the wall's corner is its origin
   if (marked != nullptr) *marked = marks;
