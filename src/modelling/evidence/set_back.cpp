@@ -251,13 +251,13 @@ class SetBack {
 
 }  // namespace
 
-void CellHeights::add(size_t cell, double height_m) {
+void HeightSums::add(size_t cell, double height_m) {
   std::atomic_ref<int64_t>(steps_[cell])
       .fetch_add(std::llround(height_m / kHeightStep_m), std::memory_order_relaxed);
   std::atomic_ref<uint32_t>(counts_[cell]).fetch_add(1, std::memory_order_relaxed);
 }
 
-std::vector<float> CellHeights::means_m() const {
+std::vector<float> HeightSums::means_m() const {
   std::vector<float> out(steps_.size(), std::numeric_limits<float>::quiet_NaN());
   std::vector<float> sorted;
   for (size_t k = 0; k < out.size(); ++k) {
@@ -272,7 +272,7 @@ std::vector<float> CellHeights::means_m() const {
   return out;
 }
 
-std::vector<RingBox> mark_set_back(const CellHeights& heights, const WallCells& cells,
+std::vector<RingBox> mark_set_back(const HeightSums& heights, const WallCells& cells,
                                    std::span<uint8_t> marks, Task& task) {
   std::vector<RingBox> out;
   if (marks.empty()) return out;

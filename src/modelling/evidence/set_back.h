@@ -15,9 +15,9 @@ namespace jalon {
 
 /// Heights over a wall's plane by cells, of the points that count as on it: in whole steps, so that threads may add in
 /// any order.
-class CellHeights {
+class HeightSums {
  public:
-  explicit CellHeights(size_t cells) : steps_(cells, 0), counts_(cells, 0) {}
+  explicit HeightSums(size_t cells) : steps_(cells, 0), counts_(cells, 0) {}
 
   void add(size_t cell, double height_m);
   /// Means over that of the typical cell; NaN: no point.
@@ -38,7 +38,7 @@ class CellHeights {
 /// Before: marks of the cells, and heights of the points that marked them as on the plane: the wall's own, and those
 /// that no segment took, as it hangs on a point whether a blind is the wall's. After: no cell of such a rectangle is
 /// marked as on the plane. The rectangles, in the plane's coordinates. O(cells).
-std::vector<RingBox> mark_set_back(const CellHeights& heights, const WallCells& cells,
+std::vector<RingBox> mark_set_back(const HeightSums& heights, const WallCells& cells,
                                    std::span<uint8_t> marks, Task& task);
 
 /// Whether one of them lies in an opening: contours take its points for the wall's.

@@ -30,7 +30,7 @@ constexpr size_t kWallCellsPointsPerChunk = 1 << 15;
 struct Sight {
   WallCells out;
   std::vector<uint8_t> marks;
-  CellHeights heights{0};
+  HeightSums heights{0};
   uint32_t own = 0;
   double almost_m = 0;               ///< farther behind the plane than noise puts its own points
   std::vector<uint8_t> is_parallel;  ///< by label
@@ -91,7 +91,7 @@ Sight prepared(const Segmentation& segmentation, const CellSource& source,
   out.columns = static_cast<uint32_t>(std::ceil((box.width() + 2 * margin) / out.cell_m));
   out.rows = static_cast<uint32_t>(std::ceil((box.height() + 2 * margin) / out.cell_m));
   sight.marks.assign(static_cast<size_t>(out.columns) * out.rows, 0);
-  sight.heights = CellHeights(sight.marks.size());
+  sight.heights = HeightSums(sight.marks.size());
   return sight;
 }
 
@@ -201,7 +201,7 @@ std::vector<WallCells> wall_cells(const Segmentation& segmentation,
     for (size_t s = begin; s < end; ++s) {
       WallCells& cells = sights[s].out;
       cells.set_back = mark_set_back(sights[s].heights, cells, sights[s].marks, task);
-      sights[s].heights = CellHeights(0);
+      sights[s].heights = HeightSums(0);
       classify_cells(sights[s].marks, cells, task);
     }
   });

@@ -48,7 +48,7 @@ std::vector<RingBox> found_in(const std::function<double(double, double)>& depth
   cells.columns = static_cast<uint32_t>(9 / cells.cell_m) + 1;
   cells.rows = static_cast<uint32_t>(4 / cells.cell_m) + 1;
   std::vector<uint8_t> marks(static_cast<size_t>(cells.columns) * cells.rows, kMarkBehind);
-  CellHeights heights(marks.size());
+  HeightSums heights(marks.size());
   for (const Vec3& p : points) {
     const Vec2 at = (cells.frame.project(p) - cells.origin) * (1 / cells.cell_m);
     const size_t k = static_cast<size_t>(at.v) * cells.columns + static_cast<size_t>(at.u);

@@ -72,6 +72,30 @@ WallState state_at(const WallCells& cells, double x, double z) {
 
 }  // namespace
 
+TEST_CASE("wall_cells__a_blind_stands_back_whether_its_points_are_the_walls_or_nobodys") {
+  for (const uint32_t label : {1u, 0u}) {
+    CAPTURE(label);
+    const std::vector<Vec3> own = holed_wall(), blind = hole_filled(1, 0.02);
+    Segmentation segmentation = walls::segmentation_of({own, hole_filled(0, 0.2), blind});
+    const auto before = segmentation.labels->values<uint32_t>();
+    auto labels = std::make_shared<Column>(segmentation.labels->info(), before.size());
+    std::vector<uint32_t> points;
+    for (uint32_t i = 0; i < before.size(); ++i) {
+      const uint32_t now = i < before.size() - blind.size() ? before[i] : label;
+      labels->values<uint32_t>()[i] = now;
+      if (now == 1) points.push_back(i);
+    }
+    segmentation.labels = std::move(labels);
+    const CellSource source{
+        segment_frame(segmentation, segmentation.segments[0], std::span(points).first(own.size())),
+        points, 0.002, 1};
+    Task task;
+    const WallCells cells = wall_cells(segmentation, {&source, 1}, {}, task).at(0);
+    CHECK(cells.set_back.size() == 1);
+    CHECK(state_at(cells, 2, 1.3) == WallState::kThrough);
+  }
+}
+
 TEST_CASE("wall_cells__without_stations_points_lie_straight_behind_and_before_their_cells") {
   const WallCells cells = cells_from(
       {holed_wall(), hole_filled(0, 0.2), hole_filled(1, 3), hole_filled(2, -0.06),
