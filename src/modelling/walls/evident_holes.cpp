@@ -57,8 +57,12 @@ OpeningShape drawn_shape(const OpeningCandidate& candidate, double spacing_m) {
 bool has_its_form(const WallHole& notch, const OpeningCandidate& candidate, double spacing_m) {
   const std::vector<Vec2> shape = polygon_of(drawn_shape(candidate, spacing_m), spacing_m),
                           outline = flattened(notch.outline, kChordOfNotch * spacing_m);
-  const PolygonWithHoles a{outline, {}}, b{shape, {}};
-  const double more_m2 = signed_area(outline) - shared_area({{a}}, {{b}}).both;
+  const RingBox box = ring_box(notch.outline);
+  const double foot = drawn_shape(candidate, spacing_m).box().low.v;
+  // Below the opening it may go on to a foot that nobody saw.
+  const PolygonWithHoles a{outline, {}}, b{shape, {}},
+      above = box_polygon(box.low.u, foot, box.high.u, std::max(foot, box.high.v));
+  const double more_m2 = shared_area({{a}}, {{above}}).both - shared_area({{a}}, {{b}}).both;
   return more_m2 <= kMoreSpacings * spacing_m * perimeter(shape);
 }
 
