@@ -60,7 +60,8 @@ void look_at_planes(const Segmentation& segmentation, std::span<const size_t> se
       if (evidence.empty()) continue;
       evidence.openings = setting.openings.by_cells
                               ? decomposed_openings(evidence.cells, setting.openings, task)
-                              : find_openings(evidence.cells, setting.openings, task);
+                              : find_openings(evidence.cells, setting.openings, task,
+                                              {segmentation.cloud.get(), sources[w].points});
       const auto area_of = [&](auto&& counts) {
         const auto& states = evidence.cells.states;
         return static_cast<double>(std::count_if(states.begin(), states.end(), counts)) *

@@ -7,7 +7,6 @@
 
 #include "modelling/evidence/box_search.h"
 #include "modelling/evidence/cell_regions.h"
-#include "modelling/evidence/joined_lights.h"
 #include "modelling/evidence/piers.h"
 #include "modelling/evidence/shape_cells.h"
 #include "modelling/evidence/shape_fit.h"
@@ -257,7 +256,7 @@ double StateCounts::share(WallState state) const {
 }
 
 std::vector<OpeningCandidate> find_openings(const WallCells& cells, const OpeningSearch& setting,
-                                            Task& task) {
+                                            Task& task, const WallPoints& points) {
   if (cells.empty()) return {};
   // 1. Boxes.
   const std::vector<CellBox> boxes = BoxSearch(cells, setting).run(task);
@@ -285,7 +284,7 @@ std::vector<OpeningCandidate> find_openings(const WallCells& cells, const Openin
               [&](uint32_t c, uint32_t r) { claimed[size_t{r} * cells.columns + c] = 1; });
     kept.push_back(shape.fitted.shape);
   }
-  kept = joined_lights(std::move(kept), cells.cell_m);
+  kept = joined_lights(std::move(kept), cells, points);
   // 4. Openings and what is not known.
   std::vector<OpeningCandidate> out;
   for (const OpeningShape& shape : kept) out.push_back(candidate_of(cells, shape));

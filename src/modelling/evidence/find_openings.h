@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/task.h"
+#include "modelling/evidence/joined_lights.h"
 #include "modelling/evidence/opening_shape.h"
 #include "modelling/evidence/wall_cells.h"
 
@@ -65,8 +66,8 @@ OpeningCandidate looked_at(const WallCells& cells, const OpeningShape& shape);
 /// 4. Seen through, deep with a jamb and no level strip, or empty with the wall measured all round it: an opening; the
 /// others are not known.
 ///
-/// After: from left to right; shapes do not overlap by more than a fifth.
+/// points: of the wall. After: from left to right; shapes do not overlap by more than a fifth.
 std::vector<OpeningCandidate> find_openings(const WallCells& cells, const OpeningSearch& setting,
-                                            Task& task);
+                                            Task& task, const WallPoints& points = {});
 
 }  // namespace jalon

@@ -3,7 +3,9 @@
 #include "modelling/evidence/joined_lights.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 namespace jalon {
@@ -14,10 +16,91 @@ constexpr double kBorderCells =
     0.9;  // both borders together: shapes end where a cell has a point of the wall
 constexpr double kMullionShare = 0.3;                // of the narrower light
 constexpr double kSameCells = 2, kSameShare = 0.08;  // feet and heads: of the lights' height
+// A pier of bricks is no narrower than half a brick, 11.5 cm and a joint: kPier_m of cell_classes.cpp.
+constexpr double kHalfBrick_m = 0.12;
+// Of the lines of cells between two lights that a pier crosses: as much as tell_strips of cell_classes.cpp asks of a
+// pier's square. The other fifth of them may reach beyond its edges: with a stray point, or by noise.
+constexpr double kPierLines = 0.8;
+
+// First and last of the wall's points in a cell along one axis, in cells; none: first > last.
+struct Ends {
+  float first = 1, last = 0;
+  void add(float at) {
+    first = first > last ? at : std::min(first, at);
+    last = std::max(last, at);
+  }
+};
+
+// How broad the wall is between two lights. Cells of 2.2 spacings do not tell a mullion flush with the wall from half a
+// brick, for both touch two or three; the points of all lines of cells together do to a fraction of a spacing.
+class Bars {
+ public:
+  Bars(const WallCells& cells, const WallPoints& points) : cells_(cells), points_(points) {}
+
+  // Sizes as in joined().
+  double width_m(const OpeningShape& a, const OpeningShape& b, size_t along) {
+    const size_t across = 2 - along;
+    const uint32_t most = along == 0 ? cells_.columns : cells_.rows,
+                   most_lines = along == 0 ? cells_.rows : cells_.columns;
+    const uint32_t from = line(std::floor(a.sizes[along + 1]), most),
+                   to = line(std::ceil(b.sizes[along]), most);
+    const uint32_t begin = line(std::round(std::max(a.sizes[across], b.sizes[across])), most_lines);
+    const uint32_t end =
+        line(std::round(std::min(a.sizes[across + 1], b.sizes[across + 1])), most_lines);
+    if (begin >= end) return 0;
+    const std::vector<Ends>& ends = ends_along(along);
+    std::vector<float> firsts, lasts;
+    for (uint32_t l = begin; l < end; ++l) {
+      Ends bar;
+      for (uint32_t at = from; at < to; ++at) {
+        const size_t k =
+            along == 0 ? size_t{l} * cells_.columns + at : size_t{at} * cells_.columns + l;
+        if (cells_.states[k] != WallState::kOn || ends[k].first > ends[k].last) continue;
+        bar.add(static_cast<float>(at) + ends[k].first);
+        bar.add(static_cast<float>(at) + ends[k].last);
+      }
+      if (bar.first > bar.last) continue;
+      firsts.push_back(bar.first);
+      lasts.push_back(bar.last);
+    }
+    if (static_cast<double>(firsts.size()) < kPierLines * (end - begin)) return 0;
+    const auto rank = static_cast<ptrdiff_t>((1 - kPierLines) * static_cast<double>(firsts.size()));
+    std::nth_element(firsts.begin(), firsts.begin() + rank, firsts.end());
+    std::nth_element(lasts.begin(), lasts.begin() + rank, lasts.end(), std::greater<>());
+    return (lasts[static_cast<size_t>(rank)] - firsts[static_cast<size_t>(rank)]) * cells_.cell_m;
+  }
+
+ private:
+  static uint32_t line(double at, uint32_t most) {
+    return static_cast<uint32_t>(std::clamp(at, 0.0, static_cast<double>(most)));
+  }
+  const std::vector<Ends>& ends_along(size_t along) {
+    std::vector<Ends>& ends = ends_[along / 2];
+    if (!ends.empty()) return ends;
+    ends.assign(cells_.states.size(), points_.cloud != nullptr ? Ends{} : Ends{0, 1});
+    for (const uint32_t i : points_.indices) {
+      const Vec3 p = points_.cloud->point(i);
+      const double w = dot(p - cells_.frame.origin, cells_.frame.normal) - cells_.frame.height;
+      const Vec2 at = (cells_.frame.project(p) - cells_.origin) * (1 / cells_.cell_m);
+      if (std::fabs(w) > cells_.on_m || !(at.u >= 0 && at.v >= 0) || at.u >= cells_.columns ||
+          at.v >= cells_.rows)
+        continue;
+      const double on_axis = along == 0 ? at.u : at.v;
+      ends[static_cast<size_t>(at.v) * cells_.columns + static_cast<size_t>(at.u)].add(
+          static_cast<float>(on_axis - std::floor(on_axis)));
+    }
+    return ends;
+  }
+
+  const WallCells& cells_;
+  const WallPoints& points_;
+  std::array<std::vector<Ends>, 2>
+      ends_;  // along rows and along columns, from when they are first asked for
+};
 
 // Sizes of a rectangle: along = 0 for lights side by side (left, right), 2 for one over the other (foot, head).
 std::optional<OpeningShape> joined(const OpeningShape& a, const OpeningShape& b, size_t along,
-                                   double cell_m) {
+                                   double cell_m, Bars& bars) {
   const size_t across = 2 - along;
   const double gap = b.sizes[along] - a.sizes[along + 1];
   const double least =
@@ -29,7 +112,8 @@ std::optional<OpeningShape> joined(const OpeningShape& a, const OpeningShape& b,
   if (gap < -kSameCells || least * cell_m > kMostLight_m || bar * cell_m > kMullion_m ||
       bar > kMullionShare * (least + kBorderCells) ||
       std::fabs(a.sizes[across] - b.sizes[across]) > same ||
-      std::fabs(a.sizes[across + 1] - b.sizes[across + 1]) > same)
+      std::fabs(a.sizes[across + 1] - b.sizes[across + 1]) > same ||
+      bars.width_m(a, b, along) >= kHalfBrick_m)
     return {};
   OpeningShape out = a;
   out.sizes[along + 1] = b.sizes[along + 1];
@@ -38,14 +122,14 @@ std::optional<OpeningShape> joined(const OpeningShape& a, const OpeningShape& b,
   return out;
 }
 
-bool join_one(std::vector<OpeningShape>& shapes, double cell_m) {
+bool join_one(std::vector<OpeningShape>& shapes, double cell_m, Bars& bars) {
   for (size_t a = 0; a < shapes.size(); ++a)
     for (size_t b = 0; b < shapes.size(); ++b) {
       if (a == b || shapes[a].kind != ShapeKind::kRectangle ||
           shapes[b].kind != ShapeKind::kRectangle)
         continue;
       for (const size_t along : {size_t{0}, size_t{2}})
-        if (const auto both = joined(shapes[a], shapes[b], along, cell_m)) {
+        if (const auto both = joined(shapes[a], shapes[b], along, cell_m, bars)) {
           shapes[a] = *both;
           shapes.erase(shapes.begin() + static_cast<ptrdiff_t>(b));
           return true;
@@ -56,8 +140,10 @@ bool join_one(std::vector<OpeningShape>& shapes, double cell_m) {
 
 }  // namespace
 
-std::vector<OpeningShape> joined_lights(std::vector<OpeningShape> shapes, double cell_m) {
-  while (join_one(shapes, cell_m)) {
+std::vector<OpeningShape> joined_lights(std::vector<OpeningShape> shapes, const WallCells& cells,
+                                        const WallPoints& points) {
+  Bars bars(cells, points);
+  while (join_one(shapes, cells.cell_m, bars)) {
   }
   return shapes;
 }
