@@ -45,13 +45,23 @@ bool has_windows(const Cloud& cloud, std::span<const uint32_t> points, const Wal
   });
 }
 
+bool looks_as(const WallEvidence& wall, const WallEvidence& whole) {
+  return dot(wall.cells.frame.normal, whole.cells.frame.normal) >= kPiecesSameWay;
+}
+
+// What lies in panes' plane may outvote which way that looks where no station tells; the larger wall's way holds.
+bool is_turned_from(const WallEvidence& wall, const WallEvidence& whole) {
+  return dot(wall.cells.frame.normal, whole.cells.frame.normal) <= -kPiecesSameWay &&
+         explained_m2(wall) > explained_m2(whole);
+}
+
 // Whether most of a piece's points lie in openings of walls that explain more than the piece does.
 bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, double explained,
                       const WallEvidence& whole, const std::vector<WallEvidence>& evidence) {
   std::vector<const WallEvidence*> walls;
   for (const WallEvidence& wall : evidence)
     if (&wall != &whole && !wall.empty() && is_outer(wall.role) && explained_m2(wall) > explained &&
-        dot(wall.cells.frame.normal, whole.cells.frame.normal) >= kPiecesSameWay)
+        (looks_as(wall, whole) || is_turned_from(wall, whole)))
       walls.push_back(&wall);
   if (walls.empty()) return false;
   // Cornices and surrounds enclose wings as posts enclose panes.

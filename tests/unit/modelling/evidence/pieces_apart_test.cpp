@@ -168,6 +168,22 @@ TEST_CASE("pieces_apart__leaves_of_doors_leave_the_dormers_in_their_plane") {
   CHECK(evidence[0].role == PlaneRole::kWall);
 }
 
+TEST_CASE("pieces_apart__leaves_leave_the_dormers_in_their_plane_whichever_way_that_looks") {
+  Segmentation given = mansard(true);
+  for (size_t s = 1; s < 5; ++s) {
+    Plane& plane = given.segments[s].fit.plane;
+    plane = {plane.normal * -1.0, -plane.offset};
+  }
+  Task task;
+  Segmentation segmentation = given;
+  const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
+  std::vector<size_t> points(5);
+  for (const uint32_t label : segmentation.labels->values<uint32_t>()) ++points[label - 1];
+  CHECK(points[1] + points[2] == given.segments[1].point_count() + given.segments[2].point_count());
+  CHECK(points[3] + points[4] == given.segments[3].point_count() + given.segments[4].point_count());
+  CHECK(evidence[points[1] > 0 ? 1 : 2].role == PlaneRole::kFilling);
+}
+
 TEST_CASE("pieces_apart__leaves_alone_stay_together") {
   const Segmentation given = mansard(false);
   Task task;
