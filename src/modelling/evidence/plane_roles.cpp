@@ -20,24 +20,19 @@ constexpr double kFillingDepth_m = 0.6;  // panes and leaves stand no deeper, lo
 constexpr double kRoomDepth_m = 12;      // rooms are no deeper
 // Of a room's wall: straight behind the front's measured wall, and within its border.
 constexpr double kBehindWallShare = 0.08, kWithinShare = 0.7;
-// Of a room's wall: panes return few points. Measured on the grammar: rooms 0.29 and more, back walls of arcades and
-// loggias less than 0.02.
+// Of a room's wall. Measured on the grammar: rooms 0.29 and more, back walls of arcades and loggias below 0.02.
 constexpr double kBehindPanesShare = 0.1;
-constexpr double kShopFrontShare =
-    0.15;  // of the area behind an arcade: a room's wall has no shop fronts
+constexpr double kShopFrontShare = 0.15;  // of the area behind an arcade; rooms have none
 constexpr double kBroad_m = 0.6, kBroadShare = 0.7;  // less than a pier between two windows
 constexpr double kTall_m = 2, kTallShare = 0.5;      // parapets are no taller than 1.3 m
-constexpr double kCoverShare =
-    0.6;  // of pilasters: cells of the wall behind that they are relief of
+constexpr double kCoverShare = 0.6;  // of pilasters: cells of the wall that they are relief of
 constexpr double kCornice_m = 0.6;   // strips of a wall stand no farther before it
 constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
 constexpr double kFilledShare = 0.5;
-constexpr double kEnclosedShare =
-    0.95;  // of an opening's border, as that of an empty one (find_openings.cpp)
-// Of an opening's cells: at a slant past a bay window little more is seen.
-constexpr double kGlimpsedShare = 0.2;
-constexpr double kHidingShare = 0.2;  // sills and piers of a bay window, of what lies behind it
-constexpr int kHiddenProbes = 16;     // along each side of an opening
+constexpr double kEnclosedShare = 0.95;  // of a border, as of empty ones (find_openings.cpp)
+constexpr double kGlimpsedShare = 0.2;   // of an opening's cells: past a bay window little is seen
+constexpr double kHidingShare = 0.2;     // sills and piers of a bay window, of what lies behind it
+constexpr int kHiddenProbes = 16;        // along each side of an opening
 
 bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
   const uint32_t k = kWellInside;
@@ -293,13 +288,31 @@ bool is_hidden_by(const WallCells& cells, const OpeningShape& shape, const WallC
   return share_of(within, all) >= kFilledShare && share_of(measured, all) >= kHidingShare;
 }
 
+// Whether a hole is the place of a larger wall that goes on beyond this one: cornice and quoins in this one's plane
+// frame it, and its windows lie there, as none of panes do. Loggias' back walls explain less, or end behind this one.
+bool is_place_of(const WallEvidence& larger, const OpeningCandidate& opening,
+                 const WallEvidence& wall) {
+  if (opening.bordered >= kEnclosedShare || explained_m2(larger) <= explained_m2(wall) ||
+      placement_of(larger, wall).within >= kWithinShare)
+    return false;
+  double windows = 0;
+  for (const OpeningCandidate& o : larger.openings) {
+    const Foot foot(wall.cells, larger.cells.frame.lift(o.shape.box().middle()));
+    if (o.is_opening && is_framed(o) && foot.depth_m > 0 && opening.shape.holds(foot.at))
+      windows += o.framed * area_of(o, larger.cells) / area_of(opening, wall.cells);
+  }
+  return windows > 0 &&
+         windows + filled_share(wall.cells, opening.shape, larger.cells) >= kFilledShare;
+}
+
 // Two explanations of a hole: an opening, or another wall's place. One that nothing frames is filled by a wall behind
 // it; one that hardly anything was seen through lies behind a bay window, however well its border is seen.
 bool ends_at(const WallEvidence& wall, const OpeningCandidate& opening, const WallEvidence& other) {
-  if (!is_enclosed(opening) && filled_share(wall.cells, opening.shape, other.cells) >= kFilledShare)
-    return true;
-  return opening.inside.share(WallState::kThrough) < kGlimpsedShare &&
-         is_hidden_by(wall.cells, opening.shape, other.cells);
+  return (!is_enclosed(opening) &&
+          filled_share(wall.cells, opening.shape, other.cells) >= kFilledShare) ||
+         is_place_of(other, opening, wall) ||
+         (opening.inside.share(WallState::kThrough) < kGlimpsedShare &&
+          is_hidden_by(wall.cells, opening.shape, other.cells));
 }
 
 void end_at(WallEvidence& wall, const std::vector<const WallEvidence*>& others, Task& task) {

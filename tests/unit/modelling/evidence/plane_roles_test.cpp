@@ -112,6 +112,36 @@ TEST_CASE("tell_roles__where_a_house_stands_back_the_wall_beside_it_ends") {
   CHECK(openings_of(evidence[1]) == 2);
 }
 
+TEST_CASE("tell_roles__a_wall_ends_where_a_larger_one_goes_on_behind_it_whatever_frames_it") {
+  // Cornice, base course and quoins of the second house in the first one's plane; windows fill a third of it.
+  std::vector<Vec3> first = house(0, 0), second;
+  add_layer(first, 6, 5.6, 6.4, 0.4, 0);
+  add_layer(first, 7.5, 0, 4.9, 0.5, 0);
+  add_layer(first, 12, 0, 0.4, 6, 0);
+  add_layer(second, 6, 0, 14, 6, 0.34);
+  for (const double foot : {0.9, 3.3})
+    for (const double left : {6.5, 8.7, 10.3, 13.0, 15.0, 17.0}) cut(second, left, foot, 1.2, 1.8);
+  const auto evidence = evidence_of({first, second});
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  CHECK(openings_of(evidence[0]) == 2);
+  CHECK(openings_of(evidence[1]) == 12);
+}
+
+TEST_CASE(
+    "tell_roles__doors_are_no_place_of_the_next_house_whose_wall_lies_in_the_plane_of_leaves") {
+  std::vector<Vec3> first, second;
+  add_layer(first, 0, 0, 6, 6, 0);
+  add_layer(second, 6, 0, 14, 6, 0.3);
+  for (const double left : {7.0, 9.5, 12.0, 14.5, 17.0}) cut(second, left, 1, 1.2, 1.8);
+  for (const double left : {1.0, 3.5}) {
+    cut(first, left, 0, 1.2, 2.2);
+    add_layer(second, left, 0, 1.2, 2.2, 0.3);
+  }
+  const auto evidence = evidence_of({first, second});
+  CHECK(openings_of(evidence[0]) == 2);
+  CHECK(openings_of(evidence[1]) == 5);
+}
+
 TEST_CASE("tell_roles__pilasters_before_all_piers_of_a_wall_are_its_relief") {
   constexpr double kProud_m = 0.14, kPier_m = 0.8;
   std::vector<Vec3> wall, pilasters;
