@@ -22,6 +22,10 @@ constexpr double kHalfBrick_m = 0.12;
 // pier's square. The other fifth of them may reach beyond its edges: with a stray point, or by noise.
 constexpr double kPierLines = 0.8;
 
+// Piers part windows of a wall that goes on beside them, broader than they are; posts of a timber frame are as broad as
+// each other, and what lies between them are its panels.
+constexpr double kBroader = 1.5;
+
 // First and last of the wall's points in a cell along one axis, in cells; none: first > last.
 struct Ends {
   float first = 1, last = 0;
@@ -98,22 +102,81 @@ class Bars {
       ends_;  // along rows and along columns, from when they are first asked for
 };
 
+double most_apart(const OpeningShape& a, const OpeningShape& b, size_t across) {
+  return std::max(std::fabs(a.sizes[across] - b.sizes[across]),
+                  std::fabs(a.sizes[across + 1] - b.sizes[across + 1]));
+}
+
+double same_within(const OpeningShape& a, const OpeningShape& b, size_t across) {
+  return std::max(kSameCells, kSameShare * std::max(a.sizes[across + 1] - a.sizes[across],
+                                                    b.sizes[across + 1] - b.sizes[across]));
+}
+
+// Cells of the wall beyond a light's last side (its first one), one after the other: the median of its lines of cells.
+uint32_t wall_beyond(const WallCells& cells, const OpeningShape& light, size_t along,
+                     bool is_last) {
+  const size_t across = 2 - along;
+  const auto at = [&](int64_t on_axis, int64_t line) {
+    const int64_t c = along == 0 ? on_axis : line, r = along == 0 ? line : on_axis;
+    return c >= 0 && r >= 0 && c < cells.columns && r < cells.rows &&
+           is_wall(cells.at(static_cast<uint32_t>(c), static_cast<uint32_t>(r)));
+  };
+  const auto side = static_cast<int64_t>(is_last ? std::floor(light.sizes[along + 1])
+                                                 : std::ceil(light.sizes[along]) - 1);
+  std::vector<uint32_t> runs;
+  for (auto line = static_cast<int64_t>(std::round(light.sizes[across]));
+       line < static_cast<int64_t>(std::round(light.sizes[across + 1])); ++line) {
+    const int64_t step = is_last ? 1 : -1;
+    int64_t from = at(side, line) ? side : side + step, to = from;
+    while (at(to, line)) to += step;
+    runs.push_back(static_cast<uint32_t>(std::abs(to - from)));
+  }
+  if (runs.empty()) return 0;
+  const auto middle = runs.begin() + static_cast<ptrdiff_t>(runs.size() / 2);
+  std::nth_element(runs.begin(), middle, runs.end());
+  return *middle;
+}
+
+// Whether beyond a row of lights, whatever bars part them, the wall is broader than this bar.
+bool ends_at_wall(const std::vector<OpeningShape>& shapes, const WallCells& cells,
+                  const OpeningShape* light, size_t along, bool is_last, double bar_m) {
+  for (size_t lights = 0; light != nullptr && lights < shapes.size(); ++lights) {
+    const uint32_t wall = wall_beyond(cells, *light, along, is_last);
+    if (wall * cells.cell_m >= kBroader * bar_m + cells.cell_m) return true;
+    const auto gap_to = [&](const OpeningShape& next) {
+      return is_last ? next.sizes[along] - light->sizes[along + 1]
+                     : light->sizes[along] - next.sizes[along + 1];
+    };
+    const auto next = std::find_if(shapes.begin(), shapes.end(), [&](const OpeningShape& shape) {
+      const size_t across = 2 - along;
+      return &shape != light && shape.kind == ShapeKind::kRectangle &&
+             gap_to(shape) >= -kSameCells && gap_to(shape) <= wall + kSameCells &&
+             most_apart(shape, *light, across) <= same_within(shape, *light, across);
+    });
+    light = next != shapes.end() ? &*next : nullptr;
+  }
+  return false;
+}
+
+// Whether a pier of the wall stands between two lights, a before b.
+bool is_pier_between(const std::vector<OpeningShape>& shapes, const OpeningShape& a,
+                     const OpeningShape& b, size_t along, const WallCells& cells, Bars& bars) {
+  const double bar_m = bars.width_m(a, b, along);
+  return bar_m >= kHalfBrick_m && ends_at_wall(shapes, cells, &a, along, false, bar_m) &&
+         ends_at_wall(shapes, cells, &b, along, true, bar_m);
+}
+
 // Sizes of a rectangle: along = 0 for lights side by side (left, right), 2 for one over the other (foot, head).
 std::optional<OpeningShape> joined(const OpeningShape& a, const OpeningShape& b, size_t along,
-                                   double cell_m, Bars& bars) {
+                                   double cell_m) {
   const size_t across = 2 - along;
   const double gap = b.sizes[along] - a.sizes[along + 1];
   const double least =
       std::min(a.sizes[along + 1] - a.sizes[along], b.sizes[along + 1] - b.sizes[along]);
-  const double tall =
-      std::max(a.sizes[across + 1] - a.sizes[across], b.sizes[across + 1] - b.sizes[across]);
-  const double same = std::max(kSameCells, kSameShare * tall);
   const double bar = gap - kBorderCells;
   if (gap < -kSameCells || least * cell_m > kMostLight_m || bar * cell_m > kMullion_m ||
       bar > kMullionShare * (least + kBorderCells) ||
-      std::fabs(a.sizes[across] - b.sizes[across]) > same ||
-      std::fabs(a.sizes[across + 1] - b.sizes[across + 1]) > same ||
-      bars.width_m(a, b, along) >= kHalfBrick_m)
+      most_apart(a, b, across) > same_within(a, b, across))
     return {};
   OpeningShape out = a;
   out.sizes[along + 1] = b.sizes[along + 1];
@@ -122,18 +185,19 @@ std::optional<OpeningShape> joined(const OpeningShape& a, const OpeningShape& b,
   return out;
 }
 
-bool join_one(std::vector<OpeningShape>& shapes, double cell_m, Bars& bars) {
+bool join_one(std::vector<OpeningShape>& shapes, const WallCells& cells, Bars& bars) {
   for (size_t a = 0; a < shapes.size(); ++a)
     for (size_t b = 0; b < shapes.size(); ++b) {
       if (a == b || shapes[a].kind != ShapeKind::kRectangle ||
           shapes[b].kind != ShapeKind::kRectangle)
         continue;
-      for (const size_t along : {size_t{0}, size_t{2}})
-        if (const auto both = joined(shapes[a], shapes[b], along, cell_m, bars)) {
-          shapes[a] = *both;
-          shapes.erase(shapes.begin() + static_cast<ptrdiff_t>(b));
-          return true;
-        }
+      for (const size_t along : {size_t{0}, size_t{2}}) {
+        const auto both = joined(shapes[a], shapes[b], along, cells.cell_m);
+        if (!both || is_pier_between(shapes, shapes[a], shapes[b], along, cells, bars)) continue;
+        shapes[a] = *both;
+        shapes.erase(shapes.begin() + static_cast<ptrdiff_t>(b));
+        return true;
+      }
     }
   return false;
 }
@@ -143,7 +207,7 @@ bool join_one(std::vector<OpeningShape>& shapes, double cell_m, Bars& bars) {
 std::vector<OpeningShape> joined_lights(std::vector<OpeningShape> shapes, const WallCells& cells,
                                         const WallPoints& points) {
   Bars bars(cells, points);
-  while (join_one(shapes, cells.cell_m, bars)) {
+  while (join_one(shapes, cells, bars)) {
   }
   return shapes;
 }

@@ -23,7 +23,8 @@ inline constexpr double kMostLight_m = 1.3;  ///< of the narrower light
 
 /// Lights of one window as one shape: rectangles side by side (or one over the other) of the same foot and head (left
 /// and right), parted by a mullion (a transom) narrower than any pier. Where the wall's own points go on between them,
-/// from foot to head and as broad as half a brick, they are two windows. The shapes are in these cells; borders lie
+/// from foot to head and as broad as half a brick, they are two windows, if it also goes on beside the row of lights,
+/// broader than that: panels between the posts of a timber frame are none. The shapes are in these cells; borders lie
 /// within one of the truth. O(points) where lights meet.
 std::vector<OpeningShape> joined_lights(std::vector<OpeningShape> shapes, const WallCells& cells,
                                         const WallPoints& points = {});

@@ -104,7 +104,8 @@ TEST_CASE("joined_lights__parted_by_the_wall_itself_from_foot_to_head_are_two_wi
 
 TEST_CASE("joined_lights__one_over_the_other_are_parted_by_the_wall_as_those_side_by_side") {
   for (const WallState state : {WallState::kOn, WallState::kThrough}) {
-    WallCells cells = painted::cells_of(60, 60, WallState::kThrough, kLightCell_m);
+    WallCells cells = painted::cells_of(60, 60, WallState::kOn, kLightCell_m);
+    painted::paint(cells, {10, 10, 40, 37}, WallState::kThrough);
     painted::paint(cells, {10, 22, 40, 25}, state);
     CHECK(joined_lights({rectangle(10, 40, 10, 22), rectangle(10, 40, 25, 37)}, cells).size() ==
           (state == WallState::kOn ? 2u : 1u));
@@ -122,6 +123,21 @@ TEST_CASE(
         CHECK(windows_about_points(0.10, off_m, is_upright, seed) == 1);
         CHECK(windows_about_points(0.07, off_m, is_upright, seed) == 1);
       }
+}
+
+TEST_CASE("joined_lights__panels_between_posts_as_broad_as_each_other_are_not_parted_by_piers") {
+  // Three panels between four posts of 15 cm, and the same three in a wall that goes on for half a metre.
+  for (const uint32_t beside : {3u, 10u}) {
+    WallCells cells = painted::cells_of(42 + 2 * beside, 60, WallState::kOn, kLightCell_m);
+    std::vector<OpeningShape> shapes;
+    for (const uint32_t k : {0u, 1u, 2u}) {
+      const uint32_t c = beside + 15 * k;
+      painted::paint(cells, {c, 10, c + 12, 40}, WallState::kThrough);
+      shapes.push_back(rectangle(c, c + 12, 10, 40));
+    }
+    CAPTURE(beside);
+    CHECK(joined_lights(shapes, cells).size() == (beside == 3 ? 1u : 3u));
+  }
 }
 
 TEST_CASE("joined_lights__garages_wider_than_lights_stay_apart_whatever_is_between_them") {
