@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
 #include "base/error.h"
 #include "base/text_number.h"
@@ -64,6 +65,11 @@ BudgetScope::BudgetScope(MemoryBudget* budget) noexcept : own_(budget), before_(
 BudgetScope::~BudgetScope() {
   own_budget = before_;
   if (own_ != nullptr) budgets::in_use.fetch_sub(1);
+}
+
+void require_memory(uint64_t bytes) {
+  MemoryBudget* const budget = current_budget();
+  if (budget != nullptr && !budget->allows(bytes)) throw std::bad_alloc();
 }
 
 }  // namespace jalon

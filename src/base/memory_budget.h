@@ -60,4 +60,9 @@ class BudgetScope {
   MemoryBudget *own_, *before_;
 };
 
+/// Said before a call takes what it is sure to have in use at once: where this thread's budget is less it ends here
+/// with std::bad_alloc, not after most of it was taken and filled. bytes: no more than will be taken, or calls that
+/// could be done would be refused.
+void require_memory(uint64_t bytes);
+
 }  // namespace jalon

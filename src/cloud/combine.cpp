@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "cloud/cloud.h"
 #include "geometry/rigid_motion.h"
@@ -43,6 +44,10 @@ void place(Column& to, size_t first, const Column* from, size_t count) {
   store_converted(to, first, from->raw(), info.type, count, size_of(info.type) * info.components);
 }
 
+size_t row_bytes(const Column& column) {
+  return column.info().components * size_of(column.info().type);
+}
+
 ColumnPtr appended_column(const Column* a, size_t count_a, const Column* b, size_t count_b) {
   FieldInfo info = a != nullptr ? a->info() : b->info();
   if (a != nullptr && b != nullptr) {
@@ -62,6 +67,16 @@ ColumnPtr appended_column(const Column* a, size_t count_a, const Column* b, size
   place(*column, 0, a, count_a);
   place(*column, count_a, b, count_b);
   return column;
+}
+
+/// Coordinates, and fields of which each has at least the narrower type of both clouds.
+uint64_t appended_bytes(const Cloud& a, const Cloud& b) {
+  const uint64_t count = uint64_t{a.size()} + b.size();
+  uint64_t row = 3 * sizeof(double);
+  for (const ColumnPtr& column : a.fields) row += row_bytes(*column);
+  for (const ColumnPtr& column : b.fields)
+    if (a.fields.find(column->info().name) == nullptr) row += row_bytes(*column);
+  return count * row;
 }
 
 void require_invertible(const Transform& t) {
@@ -120,6 +135,7 @@ ColumnPtr transformed_normals(const Column& column, const Transform& transform, 
 Cloud append(const Cloud& a, const Cloud& b, Task& task) {
   if (!a.crs.empty() && !b.crs.empty() && a.crs != b.crs)
     fail(Status::kInvalidArgument, "the clouds have different coordinate reference systems");
+  require_memory(appended_bytes(a, b));
   Buffer<double> xyz(3 * (a.size() + b.size()));
   const auto copy = [&](const Cloud& from, size_t first) {
     parallel_for(task, from.size(), kCombineGrain, [&](size_t begin, size_t end) {
@@ -161,6 +177,11 @@ Cloud append(const Cloud& a, const Cloud& b, Task& task) {
 
 Cloud transformed(const Cloud& cloud, const Transform& transform, Task& task) {
   require_invertible(transform);
+  const Column* normal = cloud.fields.find("normal");
+  if (normal != nullptr && (normal->info().components != 3 || !is_floating(normal->info().type)))
+    normal = nullptr;
+  require_memory(cloud.size() *
+                 (3 * sizeof(double) + (normal != nullptr ? row_bytes(*normal) : 0)));
   Buffer<double> xyz(3 * cloud.size());
   {
     ProgressSpan span(task, 0, 0.7);
@@ -176,9 +197,7 @@ Cloud transformed(const Cloud& cloud, const Transform& transform, Task& task) {
   Cloud out = make_cloud(std::move(xyz));
   ProgressSpan span(task, 0.7, 1);
   out.fields = cloud.fields;
-  const Column* normal = cloud.fields.find("normal");
-  if (normal != nullptr && normal->info().components == 3 && is_floating(normal->info().type))
-    out.fields.set(transformed_normals(*normal, transform, task));
+  if (normal != nullptr) out.fields.set(transformed_normals(*normal, transform, task));
   out.stations = cloud.stations;
   for (Station& station : out.stations)
     if (station.has_pose) station.pose = rigid_pose(transform * station.pose);

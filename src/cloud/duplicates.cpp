@@ -6,6 +6,7 @@
 
 #include "base/buffer.h"
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/text_number.h"
 #include "cloud/operations.h"
@@ -140,6 +141,7 @@ void require_tolerance(const Cloud& cloud, double tolerance_m, Task& task) {
 
 Cloud without_duplicates(const Cloud& cloud, double tolerance_m, Task& task) {
   require_tolerance(cloud, tolerance_m, task);
+  require_memory(cloud.size() * (sizeof(uint64_t) + sizeof(Entry)));  // deal()
   const Rounding rounding{local_origin(cloud, task), tolerance_m};
   Buckets buckets;
   {

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/numbers.h"
 #include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
@@ -201,6 +202,14 @@ std::span<const ParamRow> features_rows() {
 Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& task) {
   const Choice chosen = parse_which(settings.which);
   const double radius_m = settings.radius_m;
+  std::shared_ptr<const Octree> tree;
+  {
+    ProgressSpan span(task, 0, 0.2, "index");
+    tree = cloud.octree(task);
+  }
+  // Behind the tree, whose making takes more than what stays of it and these columns.
+  require_memory(cloud.size() * sizeof(float) *
+                 static_cast<size_t>(std::count(chosen.begin(), chosen.begin() + kFeatures, true)));
   std::array<std::shared_ptr<Column>, kFeatures> columns;
   std::array<float*, kFeatures> out{};
   for (size_t f = 0; f < kFeatures; ++f) {
@@ -209,11 +218,6 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
         FieldInfo{kInfos[f].name, ElementType::kFloat32, 1, kInfos[f].unit, kInfos[f].meaning},
         cloud.size());
     out[f] = columns[f]->values<float>().data();
-  }
-  std::shared_ptr<const Octree> tree;
-  {
-    ProgressSpan span(task, 0, 0.2, "index");
-    tree = cloud.octree(task);
   }
   Cloud result = cloud;
   ProgressSpan span(task, 0.2, 1, "features");

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "cloud/normals_parts.h"
@@ -136,6 +137,7 @@ Cloud with_normals(const Cloud& cloud, const NormalsSettings& settings, Task& ta
 
 Cloud with_inverted_normals(const Cloud& cloud, Task& task) {
   const Column& normal = require_normals(cloud);
+  require_memory(normal.bytes());
   auto inverted = std::make_shared<Column>(normal.info(), normal.count());
   visit(normal.info().type, [&](auto zero) {
     using T = decltype(zero);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "cloud/precision.h"
 
@@ -12,6 +13,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kPointCovariancesGrain = 1 << 14;
+constexpr size_t kCovarianceNumbers = 6;  // of a symmetric matrix
 
 void require_poses(const Cloud& cloud) {
   for (uint64_t i = 0; i < cloud.size();) {
@@ -49,9 +51,11 @@ class Incidence {
 
 Cloud with_point_covariances(const Cloud& cloud, const ScannerPrecision& precision, Task& task) {
   require_poses(cloud);
-  auto covariance = std::make_shared<Column>(FieldInfo{"covariance", ElementType::kFloat32, 6, "m2",
-                                                       "of the point: xx, xy, xz, yy, yz, zz"},
-                                             cloud.size());
+  require_memory(cloud.size() * (kCovarianceNumbers + 1) * sizeof(float));
+  auto covariance =
+      std::make_shared<Column>(FieldInfo{"covariance", ElementType::kFloat32, kCovarianceNumbers,
+                                         "m2", "of the point: xx, xy, xz, yy, yz, zz"},
+                               cloud.size());
   auto sigma = std::make_shared<Column>(
       FieldInfo{"point_sigma", ElementType::kFloat32, 1, "m", "root of the sum of its variances"},
       cloud.size());
@@ -69,7 +73,8 @@ Cloud with_point_covariances(const Cloud& cloud, const ScannerPrecision& precisi
         fail(Status::kInvalidArgument, "point %llu lies on its station",
              static_cast<unsigned long long>(i));
       const PointBudget budget = point_budget(precision, ray, up, incidence.of(i, ray));
-      for (size_t k = 0; k < 6; ++k) out[6 * i + k] = static_cast<float>(budget.covariance[k]);
+      for (size_t k = 0; k < kCovarianceNumbers; ++k)
+        out[kCovarianceNumbers * i + k] = static_cast<float>(budget.covariance[k]);
       sigmas[i] = static_cast<float>(budget.point_m());
     }
   });

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "base/random.h"
 #include "base/setting_rows.h"
@@ -43,6 +44,14 @@ Cloud at_minimum_distance(const Cloud& cloud, double distance_m, Task& task) {
   return select_mask(cloud, removed, 0, task);
 }
 
+/// Of a point that stays: its index, its coordinates and its fields.
+uint64_t selected_row_bytes(const Cloud& cloud) {
+  uint64_t bytes = sizeof(uint64_t) + 3 * sizeof(double);
+  for (const ColumnPtr& column : cloud.fields)
+    bytes += column->info().components * size_of(column->info().type);
+  return bytes;
+}
+
 /// Each point draws a number; the points of the smallest ones stay, in their order.
 Cloud at_random(const Cloud& cloud, uint64_t wanted, uint64_t seed, Task& task) {
   const size_t n = cloud.size();
@@ -59,6 +68,9 @@ Cloud at_random(const Cloud& cloud, uint64_t wanted, uint64_t seed, Task& task) 
     }
   };
   const size_t grain = std::max<size_t>(n / 16 + 1, kClasses);
+  constexpr uint64_t kHistogramBytes = kClasses * sizeof(uint32_t);
+  require_memory(kHistogramBytes + std::max<uint64_t>(kHistogramBytes * ((n + grain - 1) / grain),
+                                                      n + wanted * selected_row_bytes(cloud)));
   Histogram histogram;
   {
     ProgressSpan span(task, 0, 0.3, "sampling");

@@ -18,6 +18,9 @@ enum {
   kScratch = 1 << 20
 }; /* of a thread that was not there, or not at once, when the peak was taken */
 
+/* Of what is needed, before a call is refused whose need is told beforehand: messages and tables. */
+static const double kForetoldTaken = 0.01;
+
 static jalon_cloud* small;
 static io_job files[kMostJobs];
 static int file_count;
@@ -87,6 +90,76 @@ static void memory_limit__below_what_a_call_needs_is_refused_in_words(void** sta
   assert_true(refused[0] >= jobs * 9 / 10 && refused[2] >= jobs * 9 / 10);
 }
 
+/* What is known of the points' number alone, of a cloud whose index is not made yet. */
+static jalon_status op_transform(const jalon_cloud* cloud_in, jalon_task* with, made* out) {
+  const jalon_transform quarter_turn = {{0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0}};
+  return jalon_cloud_transform(cloud_in, &quarter_turn, with, &out->cloud);
+}
+static jalon_status op_order(const jalon_cloud* cloud_in, jalon_task* with, made* out) {
+  return jalon_cloud_order(cloud_in, with, &out->fields);
+}
+static jalon_status op_inverted(const jalon_cloud* cloud_in, jalon_task* with, made* out) {
+  MUST(own_handle(cloud_in, &out->cloud));
+  MUST(jalon_cloud_compute_normals(out->cloud, NULL, NULL));
+  return jalon_cloud_invert_normals(out->cloud, with);
+}
+static const struct {
+  const char* name;
+  operation run;
+} kForetold[] = {
+    {"prepare", op_prepare},   {"normals", op_normals},     {"normals quadric", op_quadric},
+    {"features", op_features}, {"outliers", op_outliers},   {"duplicates", op_duplicates},
+    {"random", op_random},     {"append", op_append},       {"covariances", op_covariances},
+    {"order", op_order},       {"transform", op_transform}, {"inverted normals", op_inverted},
+};
+enum { kForetoldCount = sizeof kForetold / sizeof *kForetold };
+
+static jalon_status foretold_within(int which, uint64_t limit, uint64_t* peak) {
+  jalon_cloud* fresh = NULL;
+  made m = {NULL, NULL, NULL};
+  MUST(own_handle(small, &fresh));
+  MUST(jalon_task_set_memory_limit(task, limit));
+  const jalon_status status = kForetold[which].run(fresh, task, &m);
+  MUST(jalon_task_memory_peak(task, peak));
+  release_made(&m);
+  jalon_cloud_release(fresh);
+  return status;
+}
+
+static void memory_limit__refuses_what_can_be_foretold_before_it_is_taken(void** state) {
+  (void)state;
+  const int percent[4] = {1, 10, 50, 90};
+  double most_taken = 0;
+  jalon_cloud* const kept = small;
+  MUST(jalon_task_set_threads(task, 1));
+  const uint64_t points[] = {100000, 1000000};
+  for (size_t n = 0; n < (is_full_run() ? sizeof points / sizeof *points : 1); ++n) {
+    small = street_cloud(points[n], 12);
+    for (int i = 0; i < kForetoldCount; ++i) {
+      uint64_t needed = 0, peak = 0;
+      MUST(foretold_within(i, UINT64_MAX, &needed));
+      for (int k = 0; k < 4; ++k) {
+        const jalon_status status = foretold_within(i, needed / 100 * (uint64_t)percent[k], &peak);
+        const double taken = (double)peak / (double)needed;
+        if (status != JALON_ERROR_OUT_OF_MEMORY ||
+            strstr(jalon_last_error_message(), "memory limit is") == NULL)
+          fail_msg("%s at %d %%: %d \"%s\"", kForetold[i].name, percent[k], status,
+                   jalon_last_error_message());
+        if (taken > kForetoldTaken)
+          fail_msg("%s at %d %%: %.1f %% was taken before", kForetold[i].name, percent[k],
+                   1e2 * taken);
+        if (taken > most_taken) most_taken = taken;
+      }
+      if (foretold_within(i, needed + kRounding, &peak) != JALON_OK)
+        fail_msg("%s with all it needs: %s", kForetold[i].name, jalon_last_error_message());
+    }
+    jalon_cloud_release(small);
+  }
+  small = kept;
+  printf("FIGURE memory limit: %d operations refused at once, with at most %.2f %% of it taken\n",
+         kForetoldCount, 1e2 * most_taken);
+}
+
 static long peak_resident_kib(void) {
   char line[200];
   long kib = -1;
@@ -151,6 +224,7 @@ int main(void) {
   if (!is_memory_counted()) return 77;
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(memory_limit__below_what_a_call_needs_is_refused_in_words),
+      cmocka_unit_test(memory_limit__refuses_what_can_be_foretold_before_it_is_taken),
       cmocka_unit_test(memory_limit__is_kept_by_the_process)};
   return cmocka_run_group_tests(tests, begin, end);
 }

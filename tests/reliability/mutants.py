@@ -33,6 +33,8 @@ HOST = [
            "memory_limit__below_what_a_call_needs_is_refused_in_words"),
     Mutant("F2", "src/base/pool.cpp", "const BudgetScope scope(budget);", "const BudgetScope scope(budget == nullptr ? budget : nullptr);",
            BASE, "pool__what_its_threads_take_is_of_the_budget_of_the_call"),
+    Mutant("F2", "src/base/memory_budget.cpp", "if (budget != nullptr && !budget->allows(bytes)) throw std::bad_alloc();", "(void)budget, (void)bytes;",
+           "release/reliability_memory_limit_test", "memory_limit__refuses_what_can_be_foretold_before_it_is_taken"),
     Mutant("F3", "src/formats/files/system_file_posix.cpp", "if (n < 0 && errno == EINTR) continue;", "", *IO_FAULTS),
     Mutant("F3", "src/formats/files/atomic_file.cpp", 'if (!sync_file(file_)) refuse("write");', "sync_file(file_);", *IO_FAULTS),
     Mutant("F3", "src/formats/files/atomic_file.cpp", "if (!temporary_.empty()) remove_file(temporary_);", "", *IO_FAULTS),

@@ -19,6 +19,7 @@
 #include <cstring>
 
 #include "base/error.h"
+#include "base/memory_budget.h"
 #include "base/parallel.h"
 #include "spatial/octree/impl.h"
 #include "spatial/partition.h"
@@ -194,6 +195,8 @@ void Octree::Impl::sort_points(Task& task) {
       512;  // most cells of a surface's cube are empty, so the occupied ones hold far more
   int depth = 1;
   while (depth < 5 && (count >> 3 * depth) > kBucketGoal / 2) ++depth;
+  // Both halves of the records are there until the last point has its place in the tree.
+  require_memory(count * (2 * sizeof(GridPoint) + 3 * sizeof(int32_t) + sizeof(uint32_t)));
   Buffer<GridPoint> first_half(count), second_half(count);
   GridPoint* arrays[2] = {first_half.data(), second_half.data()};
   std::atomic<bool> all_on_grid{true};

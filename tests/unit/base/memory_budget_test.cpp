@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <limits>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
@@ -51,6 +52,18 @@ TEST_CASE("memory_budget__says_what_was_in_use_and_wanted_at_the_first_no") {
     CHECK(std::string(error.what()) ==
           "the call had 8.0 MiB in use and needed 3.0 more; its memory limit is 10.0 MiB");
   }
+}
+
+TEST_CASE("require_memory__ends_a_call_whose_need_is_more_than_its_limit_and_takes_nothing") {
+  CHECK_NOTHROW(require_memory(std::numeric_limits<uint64_t>::max()));  // without a limit
+  MemoryBudget budget(1000);
+  const BudgetScope scope(&budget);
+  CHECK_NOTHROW(require_memory(1000));
+  CHECK(budget.peak_bytes() == 0);
+  CHECK_FALSE(budget.has_refused());
+  CHECK_THROWS_AS(require_memory(1001), std::bad_alloc);
+  CHECK(budget.peak_bytes() == 0);
+  CHECK(budget.has_refused());
 }
 
 TEST_CASE("memory_budget__takes_the_sum_of_threads") {
