@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "base/setting_rows.h"
 #include "cloud/neighbourhoods.h"
 #include "fieldtools/range_ranks.h"
@@ -27,6 +28,7 @@ constexpr ParamRow kSmoothingMethodRow =
 
 constexpr double kSigmaSpacings = 2;  // R / 2 of the gradient's automatic radius
 constexpr double kRadiusSpacings = 4;
+constexpr size_t kPlacedAtOnce = size_t{1} << 16;  // values that go to their points
 
 struct SmoothingScratch {
   std::vector<double> work;
@@ -201,7 +203,9 @@ Cloud with_filtered_field(const Cloud& cloud, std::string_view field,
                            settings.cut_sigmas, task)
           : reduced_neighbourhoods(cloud, valued, settings, task);
   std::vector<double> values(cloud.size(), kNaN);
-  for (size_t i = 0; i < found.size(); ++i) values[valued.points[i]] = found[i];
+  parallel_for(task, found.size(), kPlacedAtOnce, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) values[valued.points[i]] = found[i];
+  });
   const std::string meaning = choice_at(kSmoothingMethodRow, static_cast<size_t>(settings.method)) +
                               " of " + std::string(field) + " around the point";
   return with_field<double>(cloud, name, unit_of(cloud, field).c_str(), meaning.c_str(), values);

@@ -15,6 +15,14 @@ namespace jalon {
 /// Points a chunk takes: cuts depend on n alone.
 inline size_t partition_grain(size_t n) { return std::max<size_t>(size_t{1} << 15, n / 256 + 1); }
 
+/// Fresh memory comes in pages of 2 MiB, when they are first written: the first chunk that scatters over all of them
+/// would wait for them all, and a cancel with it. One by one, with looks between.
+template <class Record>
+void have_pages(Record* fresh, size_t count, Task& task) {
+  constexpr size_t kPageRecords = (size_t{2} << 20) / sizeof(Record);
+  parallel_for(task, count, kPageRecords, [&](size_t begin, size_t) { fresh[begin] = Record{}; });
+}
+
 /// From how many records of each bin each chunk has (chunks rows of bins) to where they begin; returns where each bin
 /// begins, and the sum. By stretches of bins, since a column of the table would touch another page in each row.
 inline std::vector<size_t> place_chunks(uint32_t* places, size_t chunks, size_t bins, Task& task) {

@@ -180,13 +180,6 @@ void sort_bucket(const GridPoint* points, size_t count, size_t offset, KeyedRang
   cut_leaves(sorted.keys, 0, count, offset, leaves, same_cell);
 }
 
-// Fresh memory comes in pages of 2 MiB, when they are first written: the first chunk that scatters over all of them
-// would wait for them all, and a cancel with it. One by one, with looks between.
-void have_pages(GridPoint* fresh, size_t count, Task& task) {
-  constexpr size_t kPagePoints = (size_t{2} << 20) / sizeof(GridPoint);
-  parallel_for(task, count, kPagePoints, [&](size_t begin, size_t) { fresh[begin].index = 0; });
-}
-
 }  // namespace
 
 void Octree::Impl::sort_points(Task& task) {

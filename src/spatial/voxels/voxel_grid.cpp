@@ -82,6 +82,7 @@ VoxelGrid voxel_lists(std::span<const double> xyz, const Vec3& origin, double ce
   std::vector<size_t> begins;
   {
     ProgressSpan span(task, 0, 0.6, "sorting points into cells");
+    have_pages(records.data(), n, task);
     const VoxelNumbers numbering(xyz, range_of(xyz, task), origin, cell_m, task);
     Buffer<uint64_t> keys(n);  // made once: divisions cost more than memory
     parallel_for(task, n, kVoxelGridGrain, [&](size_t begin, size_t end) {
