@@ -83,6 +83,25 @@ Offset offset_of(const SurfaceCore& core, const SurfaceCore& surface) {
               own_weight * own_weight * own_lever};
 }
 
+/// The same for discs of two sizes, as scans of two densities have them: on a curved surface the middle of the wider
+/// one lies deeper inside the bend. How much the surface curves is told by both, and counts by what of it their scatter
+/// does not explain.
+Offset without_sags(const Offset& bent, const SurfaceCore& core, const SurfaceCore& surface) {
+  const auto weight = [](const SurfaceCore& of) {
+    constexpr double kLeastSigma_per_m = 1e-9;  // of points without noise
+    const double sigma = std::max<double>(of.curving_sigma_per_m, kLeastSigma_per_m);
+    return 1 / (sigma * sigma);
+  };
+  const double side = dot(surface.normal, core.normal) < 0 ? -1 : 1;
+  const double own = weight(core), others = weight(surface);
+  const double curving_per_m =
+      (own * side * core.curving_per_m + others * surface.curving_per_m) / (own + others);
+  const double wider_m2 = core.spread2() - surface.spread2();
+  const double sag_m = curving_per_m * wider_m2, scatter = wider_m2 * wider_m2 / (own + others);
+  const double share = sag_m * sag_m > scatter ? 1 - scatter / (sag_m * sag_m) : 0;
+  return {bent.distance_m - share * sag_m, bent.variance_m2 + share * share * scatter};
+}
+
 class Tester {
  public:
   Tester(const SurfaceCores& reference, double noise_m, std::span<const double> nearest_m,
@@ -110,9 +129,12 @@ class Tester {
       if (surface.aside2(core.centroid) > kMostAside2) continue;
       const double rest = shape2(core, noise_m_) + shape2(surface, noise_m_) +
                           rates_.alignment_m * rates_.alignment_m;
+      const auto is_explained = [&](const Offset& off) {
+        return off.distance_m * off.distance_m <= kExplained2 * (off.variance_m2 + rest);
+      };
       Offset off = offset_of(core, surface);
-      if (off.distance_m * off.distance_m > kExplained2 * (off.variance_m2 + rest))
-        off = offset_from_plane(core, surface);
+      if (!is_explained(off)) off = without_sags(off, core, surface);
+      if (!is_explained(off)) off = offset_from_plane(core, surface);
       if (out.has_surface && std::abs(off.distance_m) >= std::abs(out.distance_m)) continue;
       out.has_surface = true;
       out.surface = found[k].index;

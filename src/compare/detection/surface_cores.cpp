@@ -23,6 +23,27 @@ constexpr double kSmooth = 0.15;
 constexpr double kNoiseQuantile =
     0.75;  // surfaces that rays graze scatter less than the range does
 
+// Least squares of the heights over the plane, by the squares of the distances from the centroid.
+void measure_curving(const Cloud& cloud, std::span<const Neighbour> points, const Vec3& centroid,
+                     SurfaceCore& core) {
+  double products = 0, squares = 0, heights2 = 0;
+  for (const Neighbour& neighbour : points) {
+    const Vec3 d = cloud.point(neighbour.index) - centroid;
+    const double height = dot(core.normal, d), u = dot(core.axis_u, d), v = dot(core.axis_v, d);
+    const double more = u * u + v * v - core.spread2();
+    products += height * more;
+    squares += more * more;
+    heights2 += height * height;
+  }
+  constexpr uint32_t kCurvingUnknowns = 4;  // the plane's and this one
+  if (core.count <= kCurvingUnknowns || !(squares > 0)) return;
+  const double curving = products / squares;
+  const double rest2 =
+      std::max(0.0, heights2 - curving * products) / (core.count - kCurvingUnknowns);
+  core.curving_per_m = static_cast<float>(curving);
+  core.curving_sigma_per_m = static_cast<float>(std::sqrt(rest2 / squares));
+}
+
 SurfaceCore core_at(const Cloud& cloud, const Octree& tree, uint32_t point, const Vec3& origin) {
   std::array<Neighbour, kCorePoints> found;
   const Vec3 place = cloud.point(point);
@@ -49,6 +70,7 @@ SurfaceCore core_at(const Cloud& cloud, const Octree& tree, uint32_t point, cons
   out.sigma_m = std::sqrt(std::max(0.0, axes.values[0]) * count / (count - 3));
   out.spread_v2 = axes.values[1];
   out.spread_u2 = axes.values[2];
+  measure_curving(cloud, std::span(found).first(n), moments.centroid(), out);
   return out;
 }
 

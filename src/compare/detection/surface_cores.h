@@ -18,12 +18,17 @@ struct SurfaceCore {
   double radius_m = 0;                  ///< of the farthest point: what the plane speaks for
   uint32_t point = 0;                   ///< index of the one that it lies about
   uint32_t count = 0;                   ///< points; below 4 there is no plane
+  /// How the points rise over the plane with the square of their distance from the centroid, and how sure that is;
+  /// both 0 of too few points.
+  float curving_per_m = 0, curving_sigma_per_m = 0;
 
   bool has_plane() const { return count >= 4; }
   /// In the plane, from the centroid, in standard deviations squared: a disc ends at 4.
   double aside2(const Vec3& p) const;
   /// Variance of the plane's height at p by the scatter of its points, m^2.
   double variance_at(const Vec3& p) const { return height_variance() + lever_variance_at(p); }
+  /// Mean square of the points' distance from the centroid, in the plane.
+  double spread2() const { return spread_u2 + spread_v2; }
   double height_variance() const { return sigma_m * sigma_m / count; }  ///< at the centroid
   /// What the uncertain slope adds at p.
   double lever_variance_at(const Vec3& p) const { return height_variance() * aside2(p); }
