@@ -20,6 +20,7 @@ constexpr size_t kPiecePoints = 400;      // looked at, of a piece
 constexpr double kBesidePiece_m = 0.5;    // what a surround, a sill, a quoin touches lies this near
 constexpr double kReliefPieceShare = 0.6;  // of its points, before the wall and beside it
 constexpr double kTouchingShare = 0.5;     // of its points, beside other pieces
+constexpr double kEnclosing_m = 0.25;      // measured wall on a side of what it encloses: a pier
 constexpr int kMostRounds = 3;  // a piece that comes apart may have hidden what another one is
 
 // A house that stands forward passes for relief of the next one where pieces of that lie in its windows.
@@ -55,22 +56,57 @@ bool is_turned_from(const WallEvidence& wall, const WallEvidence& whole) {
          explained_m2(wall) > explained_m2(whole);
 }
 
-// Whether most of a piece's points lie in openings of walls that explain more than the piece does.
-bool is_filling_piece(const Cloud& cloud, std::span<const uint32_t> points, double explained,
-                      const WallEvidence& whole, const std::vector<WallEvidence>& evidence) {
+// Whether a place behind a wall has measured wall to its left, to its right and above it: it is seen through that wall,
+// and what goes on beside it would lie behind what was measured.
+bool is_enclosed_at(const WallCells& cells, const Vec3& p) {
+  const double behind_m = cells.frame.height - dot(p - cells.frame.origin, cells.frame.normal);
+  if (behind_m <= cells.on_m / 2 || behind_m > kFillingDepth_m) return false;
+  const Vec2 at = cells.frame.project(p);
+  const double u = (at.u - cells.origin.u) / cells.cell_m,
+               v = (at.v - cells.origin.v) / cells.cell_m;
+  if (!(u >= 0 && v >= 0 && u < cells.columns && v < cells.rows)) return false;
+  const auto column = static_cast<uint32_t>(u), row = static_cast<uint32_t>(v);
+  const auto is_met = [&](int64_t right, int64_t up) {
+    uint32_t met = 0;
+    int64_t c = column, r = row;
+    for (; c >= 0 && r >= 0 && c < cells.columns && r < cells.rows; c += right, r += up)
+      met += cells.at(static_cast<uint32_t>(c), static_cast<uint32_t>(r)) == WallState::kOn;
+    return met * cells.cell_m >= kEnclosing_m;
+  };
+  return is_met(-1, 0) && is_met(1, 0) && is_met(0, 1);
+}
+
+enum class Enclosure : uint8_t {
+  kNone,
+  kBehind,   // by a wall's measured parts: seen through it, whatever opening that has there
+  kOpening,  // by the frame of an opening
+};
+
+// What encloses most of a piece's points, of walls that explain more than the piece does.
+Enclosure enclosure_of(const Cloud& cloud, std::span<const uint32_t> points, double explained,
+                       const WallEvidence& whole, const std::vector<WallEvidence>& evidence) {
   std::vector<const WallEvidence*> walls;
   for (const WallEvidence& wall : evidence)
     if (&wall != &whole && !wall.empty() && is_outer(wall.role) && explained_m2(wall) > explained &&
         (looks_as(wall, whole) || is_turned_from(wall, whole)))
       walls.push_back(&wall);
-  if (walls.empty()) return false;
+  if (walls.empty()) return Enclosure::kNone;
   // Cornices and surrounds enclose wings as posts enclose panes.
   const bool by_border = !has_windows(cloud, points, whole);
-  return share_of(points, [&](uint32_t i) {
-           return std::any_of(walls.begin(), walls.end(), [&](const auto* wall) {
-             return is_filling_at(*wall, cloud.point(i), by_border);
-           });
-         }) >= kFillingShare;
+  const auto is_mostly = [&](auto&& holds) {
+    return share_of(points, [&](uint32_t i) {
+             return std::any_of(walls.begin(), walls.end(),
+                                [&](const auto* wall) { return holds(*wall, cloud.point(i)); });
+           }) >= kFillingShare;
+  };
+  if (is_mostly([&](const WallEvidence& wall, const Vec3& p) {
+        return is_filling_at(wall, p, by_border);
+      }))
+    return Enclosure::kOpening;
+  return is_mostly(
+             [](const WallEvidence& wall, const Vec3& p) { return is_enclosed_at(wall.cells, p); })
+             ? Enclosure::kBehind
+             : Enclosure::kNone;
 }
 
 // Whether the wall was measured this near to a place before or behind it.
@@ -206,9 +242,14 @@ std::vector<uint32_t> pieces_apart(const Segmentation& given, const std::vector<
     for (size_t k = 0; k < pieces[w].size(); ++k) {
       const size_t s = pieces[w][k];
       task.checkpoint(0);
-      const bool is_filling = is_filling_piece(*given.cloud, groups.of(given.segments[s].label),
+      const Enclosure enclosure = enclosure_of(*given.cloud, groups.of(given.segments[s].label),
                                                given.segments[s].area_m2, evidence[w], evidence);
-      (is_filling ? fillings : is_relief[k] != 0 ? reliefs : others).push_back(s);
+      if (enclosure == Enclosure::kBehind) out[s] = given.segments[s].label;
+      else
+        (enclosure == Enclosure::kOpening ? fillings
+         : is_relief[k] != 0              ? reliefs
+                                          : others)
+            .push_back(s);
     }
     for (const auto* group : {&fillings, &reliefs, &others})
       if (!group->empty()) join_to_largest(given.segments, *group, out);

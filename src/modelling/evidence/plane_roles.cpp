@@ -16,8 +16,7 @@ namespace {
 
 constexpr double kSameWay = 0.985;    // cosine of 10 degrees
 constexpr double kSparseShare = 0.2;  // measured, of what its border encloses: panes here and there
-constexpr double kFillingDepth_m = 0.6;  // panes and leaves stand no deeper, loggias do
-constexpr double kRoomDepth_m = 12;      // rooms are no deeper
+constexpr double kRoomDepth_m = 12;   // rooms are no deeper
 // Of a room's wall: straight behind the front's measured wall, and within its border.
 constexpr double kBehindWallShare = 0.08, kWithinShare = 0.7;
 // Of a room's wall. Measured on the grammar: rooms 0.29 and more, back walls of arcades and loggias below 0.02.

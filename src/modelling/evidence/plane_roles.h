@@ -32,6 +32,7 @@ bool is_filling_at(const WallEvidence& wall, const Vec3& p, bool by_border);
 
 /// Of a plane's points in such openings: what fills them has that many there.
 inline constexpr double kFillingShare = 0.6;
+inline constexpr double kFillingDepth_m = 0.6;  ///< panes and leaves stand no deeper, loggias do
 
 /// What of a wall a plane accounts for: what was measured, and the openings as far as it frames them.
 double explained_m2(const WallEvidence& plane);

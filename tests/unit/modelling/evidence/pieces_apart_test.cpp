@@ -71,6 +71,25 @@ Segmentation mansard(bool has_dormers) {
   return out;
 }
 
+// The same wall with two shop fronts under a canopy that hides how their openings end: a panel in each, and a dormer in
+// the plane of the panels.
+Segmentation canopied() {
+  constexpr double kCanopy_m = -1.2;
+  std::vector<std::vector<Vec3>> parts(4);
+  auto &wall = parts[0], &first = parts[1], &second = parts[2], &dormer = parts[3];
+  add_layer(wall, 0, 0, 8, 6, 0);
+  cut(wall, 0.5, 1, 7, 2.4);
+  for (const double u : {1.0, 4.6}) {
+    cut(wall, u, 0, 2.4, 1.2);
+    add_layer(u < 2 ? first : second, u + 0.6, 0.1, 1.2, 0.8, kLeaves_m);
+  }
+  add_layer(dormer, 2, 6, 3, 2.2, kLeaves_m);
+  add_layer(parts.emplace_back(), 0.5, 1, 7, 2.4, kCanopy_m);
+  Segmentation out = walls::segmentation_of(parts);
+  set_areas(out, parts);
+  return out;
+}
+
 // A half-timbered storey that stands out over the one below as far as its panes stand back: between posts that touch
 // the windows, strips of its wall are narrow.
 Segmentation jettied() {
@@ -182,6 +201,20 @@ TEST_CASE("pieces_apart__leaves_leave_the_dormers_in_their_plane_whichever_way_t
   CHECK(points[1] + points[2] == given.segments[1].point_count() + given.segments[2].point_count());
   CHECK(points[3] + points[4] == given.segments[3].point_count() + given.segments[4].point_count());
   CHECK(evidence[points[1] > 0 ? 1 : 2].role == PlaneRole::kFilling);
+}
+
+TEST_CASE("pieces_apart__what_measured_wall_encloses_leaves_the_dormer_in_its_plane") {
+  const Segmentation given = canopied();
+  Task task;
+  const std::vector<uint32_t> whole = whole_walls(given, 0.03, task);
+  CHECK(whole[1] == whole[3]);  // all on one plane
+  CHECK(whole[2] == whole[3]);
+  Segmentation segmentation = given;
+  const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
+  // Each alone, as each may lie in an opening of its own.
+  for (size_t s = 1; s <= 3; ++s)
+    CHECK(segmentation.segments[s].point_count() == given.segments[s].point_count());
+  CHECK(evidence[3].role == PlaneRole::kWall);
 }
 
 TEST_CASE("pieces_apart__leaves_alone_stay_together") {
