@@ -70,10 +70,9 @@ class JointLoop {
     if (settings.kernel != JointSettings::Kernel::kNone &&
         settings.matches == JointSettings::Matches::kRays) {
       places_.model.blocks = find_blocks(made_.points, scene_, settings, task);
-      FoundStrips found = find_strips(made_.points, scene_, settings, task);
-      places_.model.strips = std::move(found.offsets_m);
-      made_.strip_is_doubtful = std::move(found.is_doubtful);
-      is_searched_ = is_strip_search_wanted(made_.points, settings);
+      found_ = find_strips(made_.points, scene_, settings, task);
+      places_.model.strips = found_.offsets_m;
+      made_.strip_is_doubtful = found_.is_doubtful;
     }
     for (size_t c = 0; c < controls; ++c)
       made_.trajectory_priors.push_back({problem_.x.sigmas_m[c], problem_.y.sigmas_m[c]});
@@ -178,15 +177,19 @@ class JointLoop {
   }
 
   // Where all is settled and strips were searched for: one that is rarely so far off is between its wall as seen and
-  // where it is given (weigh_strips), which is neither. It is left out, and the loop goes on without it.
+  // where it is given (weigh_strips), one that is elsewhere than where it was found on another surface. They are left
+  // out, and the loop goes on without them.
   void leave_rare_out() {
-    if (!is_searched_) return;
+    if (!found_.is_searched) return;
     const double greatest = rare_deviations(problem_.strips.size());
-    for (size_t i = 0; i < problem_.strips.size(); ++i)
-      if (deviations_of(problem_.strips[i]) > greatest) {
-        made_.strip_is_doubtful[conditions_.strip_of[i]] = true;
+    for (size_t i = 0; i < problem_.strips.size(); ++i) {
+      const StripCondition& strip = problem_.strips[i];
+      const uint32_t s = conditions_.strip_of[i];
+      if (deviations_of(strip) > greatest || found_.is_elsewhere(s, -strip.distance_m)) {
+        made_.strip_is_doubtful[s] = true;
         go_on();
       }
+    }
   }
   void go_on() {
     begun_ = made_.passes.size();
@@ -286,8 +289,7 @@ class JointLoop {
     made_.model = {solution.blocks, solution.facades, std::vector<double>(scene_.strips.size(), 0)};
     made_.attitude_bias_rad = solution.attitude_rad;
     made_.attitude_bias_sigmas_rad = solution.attitude_sigmas_rad;
-    made_.block_sigmas = solution.blocks_sigmas;
-    made_.facade_sigmas = solution.facades_sigmas;
+    made_.block_sigmas = solution.blocks_sigmas, made_.facade_sigmas = solution.facades_sigmas;
     made_.strip_sigmas.assign(scene_.strips.size(), settings_.sigma_strip_m);
     made_.strip_distances_m.assign(scene_.strips.size(), kNaN);
     made_.strip_points.assign(scene_.strips.size(), 0);
@@ -298,8 +300,7 @@ class JointLoop {
       made_.strip_distances_m[s] = problem_.strips[i].distance_m;
       made_.strip_points[s] = conditions_.points[i];
     }
-    made_.strips = problem_.strips.size();
-    made_.chi_square = solution.chi_square;
+    made_.strips = problem_.strips.size(), made_.chi_square = solution.chi_square;
     // What is held at 0 is a condition as well.
     const auto held = std::count(problem_.is_held.begin(), problem_.is_held.end(), true);
     made_.p_value =
@@ -346,7 +347,7 @@ class JointLoop {
   JointProblem problem_;
   StripConditions conditions_;
   JointPlaces places_;
-  bool is_searched_ = false;          ///< strips were (strip_search.h)
+  FoundStrips found_;                 ///< before the first pass
   size_t exchanges_ = 0, begun_ = 0;  ///< of facades; the pass that the last of them led to
   Vec3 attitude_rad_;        ///< turns about the vehicle's axes, where the last pass left them
   JointPoints turned_;       ///< the points by them; empty where attitudes stay
@@ -369,8 +370,7 @@ void adjust_heights(const Model& model, const Cloud& cloud, const Trajectory& gi
     fail(Status::kInvalidArgument,
          "sigma_ground_m is set, but the model has no ground: faces of class \"ground\"");
   GroundSearch search;
-  search.noise_m = settings.sigma_point_m;
-  search.least_points = settings.least_points;
+  search.noise_m = settings.sigma_point_m, search.least_points = settings.least_points;
   for (const double sigma : drive.sigmas_m)
     search.greatest_m.push_back(greatest_deviation(settings) *
                                 std::hypot(sigma, settings.sigma_ground_m, settings.sigma_point_m));

@@ -19,6 +19,8 @@ namespace {
 // (facade_exchange.cpp). With 20 times three strips of 50 streets stood on another's wall.
 constexpr double kClear = 14;
 
+constexpr double kBridged_m = 0.5;  // by the loop: beams come 0.2 m beside, as obliquely as they do
+
 double plus_squares(double v, double more) { return v + more * more; }
 
 double sure_part_m(const JointPoints& points, const JointSettings& settings) {
@@ -47,6 +49,9 @@ std::vector<uint32_t> numbers_of(const std::vector<MetPoint>& wall) {
   std::sort(made.begin(), made.end());
   return made;
 }
+
+// wall: not empty.
+const MetPoint& middle_of(const std::vector<MetPoint>& wall) { return wall[wall.size() / 2]; }
 
 bool share_one(const std::vector<uint32_t>& a, const std::vector<uint32_t>& b) {
   for (auto i = a.begin(), j = b.begin(); i != a.end() && j != b.end();)
@@ -118,7 +123,7 @@ class StripSearch {
     return made;
   }
 
-  // Strips that look the same way, whose wall is this one's or none.
+  // Strips that look the same way, whose wall is this one's or none, or farther off than this one may be of them.
   std::vector<uint32_t> rivals_of(uint32_t s, const StripWalls& walls) const {
     std::vector<uint32_t> made;
     const std::vector<uint32_t>& own = walls.numbers[s];
@@ -130,9 +135,18 @@ class StripSearch {
           if (other == s || dot(scene_.strips[other].normal, scene_.strips[s].normal) < kParallel)
             return;
           const std::vector<uint32_t>& its = walls.numbers[other];
-          if (its.empty() || share_one(its, own)) made.push_back(other);
+          if (its.empty() || share_one(its, own) || is_nearer_than_its_own(other, s, walls))
+            made.push_back(other);
         });
     return made;
+  }
+
+  // The wall of a strip, seen from another that looks the same way and was found on a wall of its own.
+  bool is_nearer_than_its_own(uint32_t other, uint32_t s, const StripWalls& walls) const {
+    const GivenStrip& strip = scene_.strips[other];
+    const Vec3& p = points_.at[middle_of(walls.points[s]).number];
+    const double off = strip.normal.u * p.x + strip.normal.v * p.y - strip.offset_m;
+    return std::fabs(off) < std::fabs(middle_of(walls.points[other]).distance_m);
   }
 
   // By the prior of the strips alone, the rest being surer.
@@ -162,17 +176,21 @@ class StripSearch {
 }  // namespace
 
 bool is_strip_search_wanted(const JointPoints& points, const JointSettings& settings) {
-  constexpr double kSurer = 3;        // the rest must be so much surer
-  constexpr double kBridged_m = 0.5;  // beams come 0.2 m beside, as obliquely as they do
+  constexpr double kSurer = 3;  // the rest must be so much surer
   const double reach = greatest_deviation(settings) * settings.sigma_strip_m;
   return reach > kBridged_m && settings.sigma_strip_m > kSurer * sure_part_m(points, settings);
+}
+
+bool FoundStrips::is_elsewhere(uint32_t strip, double offset_m) const {
+  return is_searched && std::fabs(offset_m - offsets_m[strip]) > kBridged_m;
 }
 
 FoundStrips find_strips(const JointPoints& points, const StripScene& scene,
                         const JointSettings& settings, Task& task) {
   const size_t n = scene.strips.size();
-  FoundStrips made{std::vector<double>(n, 0), std::vector<bool>(n, false)};
-  if (!is_strip_search_wanted(points, settings)) return made;
+  FoundStrips made{std::vector<double>(n, 0), std::vector<bool>(n, false),
+                   is_strip_search_wanted(points, settings)};
+  if (!made.is_searched) return made;
   const StripSearch search(points, scene, settings);
   StripWalls walls{std::vector<std::vector<MetPoint>>(n), std::vector<std::vector<uint32_t>>(n)};
   std::vector<uint8_t> is_doubtful(n, 0);
@@ -190,7 +208,7 @@ FoundStrips find_strips(const JointPoints& points, const StripScene& scene,
   const double accepted_m = greatest_deviation(settings) * settings.sigma_strip_m;
   for (size_t s = 0; s < n; ++s) {
     const std::vector<MetPoint>& wall = walls.points[s];
-    const double offset_m = wall.empty() ? 0 : wall[wall.size() / 2].distance_m;
+    const double offset_m = wall.empty() ? 0 : middle_of(wall).distance_m;
     made.is_doubtful[s] = is_doubtful[s] != 0 || std::fabs(offset_m) > accepted_m;
     if (!made.is_doubtful[s]) made.offsets_m[s] = offset_m;
   }

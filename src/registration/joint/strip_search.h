@@ -16,6 +16,11 @@ struct FoundStrips {
   /// Another strip may be that wall as well, and nothing tells which of them is hidden, or the wall is farther off than
   /// the sigmas allow: no evidence.
   std::vector<bool> is_doubtful;
+  bool is_searched = false;  ///< is_strip_search_wanted
+
+  /// A strip that its own beams have come to put so far off is on a surface other than the one that all beams about it
+  /// show, or on one where these show none: what is left of its wall's is hidden or turned away.
+  bool is_elsewhere(uint32_t strip, double offset_m) const;
 };
 
 /// Each strip's offset: to the wall (strip_surfaces.h) among the points before and behind it, as far off as five of its

@@ -25,8 +25,8 @@ struct OneStrip {
     settings.sigma_block_x_m = settings.sigma_block_y_m = settings.sigma_facade_m = 0.01;
     settings.sigma_strip_m = 2;
   }
-  void surface(double y, double from_m, double to_m) {
-    for (double x = 0.25; x < 1.5; x += 0.5)
+  void surface(double y, double from_m, double to_m, double from_x = 0) {
+    for (double x = from_x + 0.25; x < from_x + 1.5; x += 0.5)
       for (double z = from_m; z < to_m; z += 0.25) {
         const Vec3 at{x, y, z}, from{x, -8, 3};
         points.at.push_back(at), points.origin.push_back(from);
@@ -108,6 +108,32 @@ TEST_CASE(
   beside.rival(0.4, 2);
   beside.surface(-3.9, 0.5, 8.5);
   CHECK(!beside.all().is_doubtful[0]);
+}
+
+TEST_CASE("find_strips__on_a_wall_that_is_nearer_to_another_than_its_own__doubts_it") {
+  // 4.9 m before the first, 2.4 m before the second, which sees a larger wall 6.8 m behind it.
+  OneStrip two;
+  two.rival(-2.5, 0.7);
+  two.surface(-4.9, 0.5, 6);
+  CHECK(two.all().is_doubtful[0]);
+  two.surface(4.3, 0.5, 8.5, 1.3);
+  CHECK(two.all().is_doubtful[0]);
+  // One that stands on its own wall, 0.8 m behind it, is no rival.
+  OneStrip near;
+  near.rival(-2.5, 0.7);
+  near.surface(-4.9, 0.5, 6);
+  near.surface(-1.7, 0.5, 8.5, 1.3);
+  CHECK(!near.all().is_doubtful[0]);
+}
+
+TEST_CASE("find_strips__whose_beams_put_it_metres_elsewhere__is_on_another_surface") {
+  OneStrip strip;
+  strip.surface(-0.5, 0.5, 8.5);
+  const FoundStrips found = strip.all();
+  CHECK(!found.is_elsewhere(0, 0.6));
+  CHECK(found.is_elsewhere(0, 4.7));
+  strip.settings.sigma_facade_m = 1;  // nothing was searched for
+  CHECK(!strip.all().is_elsewhere(0, 4.7));
 }
 
 TEST_CASE("find_strips__with_a_wall_farther_off_than_points_are_accepted__doubts_it") {
