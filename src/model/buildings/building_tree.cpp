@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/setting_rows.h"
+#include "base/text_number.h"
 #include "geometry/polygon2.h"
 #include "model/buildings/facades.h"
 #include "model/buildings/given_strips.h"
@@ -73,6 +74,17 @@ void add_strip(Model& model, const BuildingTree& tree, uint32_t number, uint32_t
   }
 }
 
+// A file that lost its transform is ten thousand times too large; no wall of a building has so many strips.
+void require_lengths(const std::vector<BuildingFacade>& facades, double width_m) {
+  constexpr double kMostStrips = 20000;
+  for (const BuildingFacade& f : facades)
+    if (const double length_m = f.to_m - f.from_m; length_m > kMostStrips * width_m)
+      fail(Status::kInvalidArgument,
+           "a facade is %s km long, too long for strips of %s m: are the coordinates in metres, "
+           "and did the file keep its transform?",
+           text_of(length_m / 1000, 0).c_str(), text_of(width_m).c_str());
+}
+
 }  // namespace
 
 std::span<const ParamRow> building_strip_rows() { return kBuildingStripRows; }
@@ -87,6 +99,7 @@ BuildingTree building_tree(const Model& model, const BuildingSettings& settings,
   tree.facades = facades_of(pieces, settings.least_length_m);
   if (tree.facades.empty())
     fail(Status::kInsufficientData, "the model has no facades: no face of it stands upright");
+  require_lengths(tree.facades, settings.width_m);
   turn_outward(tree.facades);
   task.checkpoint(0.6);
   // 3. Blocks of buildings that touch.

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <numbers>
+#include <string>
 
 #include "base/error.h"
 #include "unit/model/buildings/houses.h"
@@ -117,4 +118,16 @@ TEST_CASE("building_tree__without_upright_faces__is_refused") {
   model.parts.push_back({"floor", "ground", kNoParent});
   model.add_face(floor, {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}});
   CHECK_THROWS_AS(tree_of(model), Error);
+}
+
+TEST_CASE("building_tree__ten_thousand_times_too_large__says_so_before_it_cuts_strips") {
+  Model model = three_houses(true);
+  for (Vec3& v : model.vertices) v *= 1e4;
+  for (Face& face : model.faces) face.plane.offset *= 1e4, face.area_m2 *= 1e8;
+  try {
+    tree_of(model);
+    FAIL("not refused");
+  } catch (const Error& e) {
+    CHECK(std::string(e.what()).find("a facade is 100 km long") != std::string::npos);
+  }
 }
