@@ -14,7 +14,8 @@
 // of scenario 5 1.21, but blocks of scenario 2 3.1 (along their street; 8 of 25 draws above 1.5). Strips adjusted of
 // those that perfect matches adjust: 99, 99, 93, 92 and 94 in 100. Before: 9724 to 9773 10.2 by a facade before
 // another on its wall, 9674 to 9723 11.0; a street each, 9724 to 9760: strips of scenario 4 5.0, by one on the wall
-// of a strip that had been found on a larger one (strip_search.cpp doubts it now).
+// of a strip that had been found on a larger one (strip_search.cpp doubts it now; 9899 to 9948 with it, scenarios 3
+// to 5: 1.00, 1.00 and 1.19).
 
 namespace jalon::joint_matches_test {
 
