@@ -140,7 +140,7 @@ JALON_API JALON_CHECK jalon_status jalon_report_write_comparison(
  *
  * - places, intervals: what jalon_gauge_sweep or jalon_gauge_sweep_model gave.
  * - pieces, hull_points: of jalon_gauge_sweep; gauge: of jalon_gauge_sweep_model. piece_count 0 and gauge NULL:
- *   sections without the gauge's outline; both: JALON_ERROR_INVALID_ARGUMENT.
+ *   sections without the gauge's outline; both: those of both.
  * - poses: those of the sweep.
  * - cloud, model: those of the sweep, or NULL: without its points, without its cuts.
  * - notes_json: as in jalon_report_write_html.

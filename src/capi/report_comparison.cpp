@@ -81,11 +81,11 @@ jalon_status jalon_report_write_clearance(const jalon_fields* places, const jalo
                  cloud != nullptr ? cloud->cloud : nullptr,
                  model != nullptr ? model->model : nullptr};
     for (const Transform& pose : run.poses) require_rigid(pose, "a pose");
-    if (piece_count > 0 && gauge != nullptr)
-      fail(Status::kInvalidArgument, "give the gauge's pieces or its model, not both");
     if (piece_count > 0)
       run.gauge = gauge_outlines(pieces, piece_count, hull_points, hull_point_count);
-    else if (gauge != nullptr) run.gauge = gauge_corners(*gauge->model, kDrawnChord_m);
+    if (gauge != nullptr)
+      for (std::vector<Vec3>& corners : gauge_corners(*gauge->model, kDrawnChord_m))
+        run.gauge.push_back(std::move(corners));
     with_task(task, [&](Task& t) { write_whole(target, clearance_html(run, notes, settings, t)); });
   });
 }

@@ -189,8 +189,9 @@ class Models(unittest.TestCase):
                 text = page.read()
             self.assertIn("Black: the model, cut", text)
             self.assertIn("points on the model", text)
-            with self.assertRaisesRegex(ValueError, "not both"):
-                jalon.report_write_clearance(*results[0], gauge, forms[0], path, gauge=block)
+            jalon.report_write_clearance(*results[0], gauge, forms[0], path, gauge=block)
+            with open(path, encoding="utf-8") as page:
+                self.assertEqual(page.read().count('fill-opacity="0.15"'), text.count('fill-opacity="0.15"'))
         many = jalon.gauge_sweep(gauge, [pose_at(x) for x in range(4)], cloud, margin_m=0.5)
         self.assertEqual(len(many.intervals), 3)
         as_model = jalon.gauge_sweep_model(cube(1, (-0.5, -0.5, -0.5)), [pose_at(0), pose_at(10)], cloud, margin_m=0.5)
