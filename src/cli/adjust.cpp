@@ -172,8 +172,8 @@ struct Adjust {
                   ": no wall seen stands across it");
     warn_of_few_matches(console, made);
     if (const uint64_t doubtful = summary.count("doubtful_strips", 0); doubtful > 0)
-      console.say(grouped(doubtful) +
-                  " strips were not adjusted: what is seen may be the wall of another, and nothing "
+      console.say(grouped(doubtful) + (doubtful == 1 ? " strip was" : " strips were") +
+                  " not adjusted: what is seen may be the wall of another, and nothing "
                   "tells (strips.csv, column doubtful)");
     if (const double wrong = summary.number("wrong_strips", 0); std::isfinite(wrong))
       console.say("of the matches " + fixed(100 * wrong, 2) + " % are on another strip than " +

@@ -98,10 +98,10 @@ static void add_to(struct worst* worst, const char* name, const struct stretches
 static void tell(const struct worst* worst, const char* what) {
   printf(
       "FIGURE stretches without a look, %d %s on %d points: %d above %.0f ms, longest %.0f ms "
-      "(%s); "
+      "(%s), the least of %d tries where one was above; "
       "a cancel waits longer at %.2f %% of the moments at most (%s)\n",
       worst->tried, what, kStretchPoints, worst->many, 1e3 * kLong_s, 1e3 * worst->longest_s,
-      worst->longest, 1e2 * worst->late, worst->latest);
+      worst->longest, kMostTries, 1e2 * worst->late, worst->latest);
 }
 
 static void cancel__waits_for_no_long_stretch(void** state) {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "base/numbers.h"
 #include "base/table_columns.h"
 #include "cloud/sections/sections.h"
 
@@ -47,17 +47,14 @@ std::vector<VertexRow> vertex_rows(const Sections& sections) {
 
 void put(const Vec3& v, double* out) { out[0] = v.x, out[1] = v.y, out[2] = v.z; }
 
-// What no line was measured of is no 0.
-constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
-
-// Of all lines of a section, by their points.
+// Of all lines of a section, by their points; without any nothing was measured.
 double rms_of(const Section& section) {
   double sum = 0, n = 0;
   for (const SectionLine& line : section.lines) {
     sum += line.rms_m * line.rms_m * static_cast<double>(line.points);
     n += static_cast<double>(line.points);
   }
-  return n > 0 ? std::sqrt(sum / n) : kNotMeasured;
+  return n > 0 ? std::sqrt(sum / n) : kNaN;
 }
 
 template <class F>
@@ -94,7 +91,7 @@ FieldTable section_table(const Sections& sections) {
   add_column<double>(table, rows, "rms", "m", "of the points' distances from their lines", rms_of);
   add_column<double>(table, rows, "max", "m", "largest distance of a point from its line",
                      [](const Section& s) {
-                       double largest = s.lines.empty() ? kNotMeasured : 0;
+                       double largest = s.lines.empty() ? kNaN : 0;
                        for (const SectionLine& line : s.lines)
                          largest = std::max(largest, line.max_m);
                        return largest;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "modelling/evidence/coplanar.h"
+#include "modelling/evidence/places.h"
 #include "modelling/evidence/plane_roles.h"
 #include "segment/labels/label_groups.h"
 
@@ -59,17 +60,13 @@ bool is_turned_from(const WallEvidence& wall, const WallEvidence& whole) {
 // Whether a place behind a wall has measured wall to its left, to its right and above it: it is seen through that wall,
 // and what goes on beside it would lie behind what was measured.
 bool is_enclosed_at(const WallCells& cells, const Vec3& p) {
-  const double behind_m = cells.frame.height - dot(p - cells.frame.origin, cells.frame.normal);
-  if (behind_m <= cells.on_m / 2 || behind_m > kFillingDepth_m) return false;
-  const Vec2 at = cells.frame.project(p);
-  const double u = (at.u - cells.origin.u) / cells.cell_m,
-               v = (at.v - cells.origin.v) / cells.cell_m;
-  if (!(u >= 0 && v >= 0 && u < cells.columns && v < cells.rows)) return false;
-  const auto column = static_cast<uint32_t>(u), row = static_cast<uint32_t>(v);
+  const Foot foot(cells, p);
+  if (!foot.is_on_map || foot.depth_m <= cells.on_m / 2 || foot.depth_m > kFillingDepth_m)
+    return false;
   const auto is_met = [&](int64_t right, int64_t up) {
     uint32_t met = 0;
-    int64_t c = column, r = row;
-    for (; c >= 0 && r >= 0 && c < cells.columns && r < cells.rows; c += right, r += up)
+    for (int64_t c = foot.column, r = foot.row;
+         c >= 0 && r >= 0 && c < cells.columns && r < cells.rows; c += right, r += up)
       met += cells.at(static_cast<uint32_t>(c), static_cast<uint32_t>(r)) == WallState::kOn;
     return met * cells.cell_m >= kEnclosing_m;
   };

@@ -12,11 +12,12 @@ namespace jalon {
 /// Two explanations of planes that lie on one another: pieces of one wall, or what fills the openings of another (the
 /// leaves of its doors, as deep as the walls of dormers or the house next door stand back). Pieces that lie in framed
 /// openings of a wall that explains more are its filling; they stay together and leave the others, whose largest is the
-/// wall then. So do pieces that stand up to relief_m before another wall and touch that, and none of the others: the
-/// surrounds of a house whose neighbour stands forward by as much.
+/// wall then. A piece that has measured wall on both sides and above it, whatever opening that has there, stands alone.
+/// Pieces leave the others too that stand up to relief_m before another wall and touch that, and none of the others:
+/// the surrounds of a house whose neighbour stands forward by as much.
 ///
 /// whole: of each segment the label of the one it is a piece of (coplanar.h); evidence: of the segmentation with these.
-/// After: the same with fillings apart.
+/// After: the same with these apart.
 std::vector<uint32_t> pieces_apart(const Segmentation& given, const std::vector<uint32_t>& whole,
                                    const std::vector<WallEvidence>& evidence, double relief_m,
                                    Task& task);

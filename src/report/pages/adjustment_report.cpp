@@ -124,7 +124,8 @@ void add_outcome(Page& page, const JointAdjustment& a) {
               text_of(a.weak_direction.v, 3) + "): no wall seen stands across it.");
   if (const auto doubtful = std::ranges::count(a.strip_is_doubtful, true); doubtful > 0)
     page.note(grouped(static_cast<uint64_t>(doubtful)) +
-              " strips were not adjusted: what is seen may be the wall of another, and nothing "
+              (doubtful == 1 ? " strip was" : " strips were") +
+              " not adjusted: what is seen may be the wall of another, and nothing "
               "tells which.");
   if (a.points.outside > 0)
     page.note(grouped(a.points.outside) +

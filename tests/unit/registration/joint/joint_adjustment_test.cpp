@@ -52,6 +52,16 @@ DriveScenarioSettings small_drive() {
   return from;
 }
 
+// Of those that points hold, the one that is moved most.
+size_t farthest_strip(const DriveScenario& made, const JointSettings& settings, Task& task) {
+  const JointAdjustment a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
+  size_t farthest = 0;
+  for (size_t s = 0; s < a.model.strips.size(); ++s)
+    if (a.strip_points[s] > 0 && std::fabs(a.model.strips[s]) > std::fabs(a.model.strips[farthest]))
+      farthest = s;
+  return farthest;
+}
+
 void refuses(const DriveScenario& drive, const Cloud& cloud, const Trajectory& trajectory,
              const char* words) {
   Task task;
@@ -152,14 +162,10 @@ TEST_CASE("adjust_jointly__by_ids__leaves_a_strip_where_its_points_are") {
   const DriveScenario made = drive_scenario(from, task);
   JointSettings settings = settings_of(from);
   settings.matches = JointSettings::Matches::kIds;
-  JointAdjustment a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
-  size_t farthest = 0;
-  for (size_t s = 0; s < a.model.strips.size(); ++s)
-    if (a.strip_points[s] > 0 && std::fabs(a.model.strips[s]) > std::fabs(a.model.strips[farthest]))
-      farthest = s;
+  const size_t farthest = farthest_strip(made, settings, task);
   const double off = made.offsets.strips[farthest];
   settings.sigma_strip_m = std::fabs(off) / 5;  // of its standard deviations
-  a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
+  const JointAdjustment a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
   CHECK(std::fabs(off) > 3);
   CHECK(std::fabs(off + a.model.strips[farthest]) < 0.1);
 }
@@ -172,14 +178,10 @@ TEST_CASE("adjust_jointly__by_rays__leaves_strips_that_are_rarely_so_far_off_and
   const DriveScenario made = drive_scenario(from, task);
   JointSettings settings = settings_of(from);
   settings.matches = JointSettings::Matches::kIds;
-  JointAdjustment a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
-  size_t farthest = 0;
-  for (size_t s = 0; s < a.model.strips.size(); ++s)
-    if (a.strip_points[s] > 0 && std::fabs(a.model.strips[s]) > std::fabs(a.model.strips[farthest]))
-      farthest = s;
+  const size_t farthest = farthest_strip(made, settings, task);
   settings.sigma_strip_m = std::fabs(made.offsets.strips[farthest]) / 4.5;
   settings.matches = JointSettings::Matches::kRays;
-  a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
+  const JointAdjustment a = adjust_jointly(made.model, made.cloud, made.trajectory, settings, task);
   CHECK(a.converged);
   CHECK(a.strip_is_doubtful[farthest]);
   CHECK(a.strip_points[farthest] == 0);
