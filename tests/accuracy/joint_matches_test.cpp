@@ -7,15 +7,17 @@
 
 #include "accuracy/joint_drives.h"
 
-// Matches by rays against perfect ones: a closed street with roofs, ground, and things 5 m high before the houses that
-// the model lacks, 5 mm of noise; one setting, the default, for all five scenarios. Developed with seeds from 9001 on;
-// the long run has 9101 to 9150; JALON_JOINT_SEEDS=first-last: others. Reported once, unseen, 9824 to 9873, all five
-// scenarios (28 Nov 2026): all groups at most 1.03, of scenario 5 1.20 (strips). A street each, 9874 to 9898: 1.09,
-// of scenario 5 1.21, but blocks of scenario 2 3.1 (along their street; 8 of 25 draws above 1.5). Strips adjusted of
-// those that perfect matches adjust: 99, 99, 93, 92 and 94 in 100. Before: 9724 to 9773 10.2 by a facade before
-// another on its wall, 9674 to 9723 11.0; a street each, 9724 to 9760: strips of scenario 4 5.0, by one on the wall
-// of a strip that had been found on a larger one (strip_search.cpp doubts it now; 9899 to 9948 with it, scenarios 3
-// to 5: 1.00, 1.00 and 1.19).
+// Matches by rays against perfect ones: a closed street with roofs, ground, and things 5 m high before the houses
+// that the model lacks, 5 mm of noise; one setting, the default, for all five scenarios. Developed with seeds from
+// 9001 on; the long run has 9101 to 9150; JALON_JOINT_SEEDS=first-last: others. Reported once, unseen, all five
+// scenarios (28 Nov 2026): 9824 to 9873 all groups at most 1.20, 9949 to 9998 1.04, 1.01, 1.00, 1.01 and 1.22
+// (strips). A street each, 9874 to 9898: 1.13 of scenario 2, 1.09, of scenario 5 1.21; 9999 to 10023, unseen: blocks
+// of scenario 2 1.67 (along their street, within 3.5 of their sigmas: fewer side walls are met than by perfect
+// matches; all else 1.03). Strips adjusted of those that perfect ones adjust: 99, 99, 93, 92 and 94 in 100. Before:
+// 9724 to 9773 10.2 by a facade before another on its wall, 9674 to 9723 11.0; a street each, 9724 to 9760: strips of
+// scenario 4 5.0, by one on the wall of a strip that had been found on a larger one (strip_search.cpp doubts it now);
+// 9874 to 9898: blocks of scenario 2 3.1, driven along their street by strips half on a neighbour's front (weighed in
+// the first pass now).
 
 namespace jalon::joint_matches_test {
 
@@ -23,10 +25,9 @@ using namespace jalon::test;
 
 namespace {
 
-SeedRange seeds() {
+SeedRange seeds(SeedRange few = {9001, 9001}, SeedRange many = {9101, 9150}) {
   const bool full = std::getenv("JALON_FULL") != nullptr;
-  return seeds_asked_for("JALON_JOINT_SEEDS")
-      .value_or(full ? SeedRange{9101, 9150} : SeedRange{9001, 9001});
+  return seeds_asked_for("JALON_JOINT_SEEDS").value_or(full ? many : few);
 }
 
 // Shares of the kerbs that make 10 and 30 in 100 of the points whose rays are cast.
@@ -73,7 +74,9 @@ struct Matched {
 
 Matched over_draws(size_t scenario, double covered, bool with_literal, bool own_street = false) {
   Matched made;
-  for (uint64_t seed = seeds().first; seed <= seeds().last; ++seed) {
+  // 9878: strips half on a neighbour's front drove a block 60 m along its street.
+  const SeedRange drawn = own_street ? seeds({9878, 9878}, {9874, 9898}) : seeds();
+  for (uint64_t seed = drawn.first; seed <= drawn.last; ++seed) {
     DriveKind kind;
     kind.sigmas = kScenarioSigmas[scenario], kind.seed = seed, kind.covered = covered;
     kind.own_street = own_street;
@@ -96,7 +99,7 @@ TEST_CASE("joint_matches__by_rays__come_near_to_perfect_ones_in_five_scenarios")
 
 // Houses of other widths, set-backs, turns and heights for each draw; what is left against perfect matches is printed.
 TEST_CASE("joint_matches__in_a_street_of_their_own__leave_model_and_drive_as_near") {
-  for (const size_t scenario : {2u, 3u}) {
+  for (const size_t scenario : {1u, 2u, 3u}) {
     CAPTURE(scenario + 1);
     const Matched made = over_draws(scenario, kTenth, false, true);
     made.tell("a street each, scenario " + std::to_string(scenario + 1), false);

@@ -143,8 +143,10 @@ class JointLoop {
   // A strip that contradicts the others counts less: its variance grows with the square of its offset in the pass
   // before, from where of so many strips one is as far off in one drive of twenty. (A wrong strip has the offset of
   // another wall; three standard deviations have a strip or two of any drive, and its own offset would be held back.)
+  // In the first pass too where blocks were found: strips half on a neighbour's front would drive one along its street.
   void weigh_strips() {
-    if (settings_.kernel == JointSettings::Kernel::kNone || made_.passes.empty() ||
+    const bool is_blind = made_.passes.empty() && !is_block_search_wanted(made_.points, settings_);
+    if (is_blind || settings_.kernel == JointSettings::Kernel::kNone ||
         settings_.matches == JointSettings::Matches::kIds)
       return;
     const double greatest = rare_deviations(problem_.strips.size());
@@ -309,7 +311,8 @@ class JointLoop {
     if (settings_.covariance)
       made_.covariance = std::move(is_whole ? solution.whole_covariance : solution.covariance);
     find_wrong_shares();
-    find_weak_direction();
+    const WeakDirection weak = weak_direction(problem_.strips);
+    made_.weak_direction = weak.direction, made_.weak_share = weak.share;
   }
 
   void find_wrong_shares() {
@@ -327,18 +330,6 @@ class JointLoop {
     }
     made_.wrong_share = static_cast<double>(wrong) / static_cast<double>(all);
     made_.wrong_facade_share = static_cast<double>(wrong_facades) / static_cast<double>(all);
-  }
-
-  // Eigenvectors of the sum of n n^T over the adjusted strips.
-  void find_weak_direction() {
-    Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
-    for (const StripCondition& s : problem_.strips) {
-      const Eigen::Vector2d n(s.normal.u, s.normal.v);
-      sum += n * n.transpose();
-    }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> of(sum);
-    made_.weak_direction = {of.eigenvectors()(0, 0), of.eigenvectors()(1, 0)};
-    made_.weak_share = std::max(0.0, of.eigenvalues()[0]) / of.eigenvalues()[1];
   }
 
   const JointSettings& settings_;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "registration/joint/strip_conditions.h"
 
+#include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <map>
 
 #include "model/trajectory/interpolation.h"
@@ -62,6 +64,17 @@ StripConditions strip_conditions(const MatchedPoints& points, std::span<const Gi
     made.points.push_back(sum.points);
   }
   return made;
+}
+
+WeakDirection weak_direction(std::span<const StripCondition> strips) {
+  Eigen::Matrix2d sum = Eigen::Matrix2d::Zero();
+  for (const StripCondition& s : strips) {
+    const Eigen::Vector2d n(s.normal.u, s.normal.v);
+    sum += n * n.transpose();
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> of(sum);
+  return {{of.eigenvectors()(0, 0), of.eigenvectors()(1, 0)},
+          std::max(0.0, of.eigenvalues()[0]) / of.eigenvalues()[1]};
 }
 
 }  // namespace jalon

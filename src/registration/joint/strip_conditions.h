@@ -38,4 +38,12 @@ StripConditions strip_conditions(const MatchedPoints& points, std::span<const Gi
                                  std::span<const double> control_times_s, uint64_t least_points,
                                  double sigma_range_m);
 
+/// The level direction that the normals of strips hold least, and its share of what the best held one is held by: 0
+/// where all walls are parallel. Eigenvectors of the sum of n n^T.
+struct WeakDirection {
+  Vec2 direction;
+  double share = 0;
+};
+WeakDirection weak_direction(std::span<const StripCondition> strips);
+
 }  // namespace jalon

@@ -73,3 +73,16 @@ TEST_CASE("strip_conditions__of_a_wrong_drive_and_model__lead_back_to_the_truth"
   CHECK(std::sqrt(before / n) > 0.3);
   CHECK(std::sqrt(after / n) < 0.05);
 }
+
+TEST_CASE("weak_direction__of_walls_nearly_along_a_street__is_along_it") {
+  std::vector<StripCondition> strips(4);
+  for (size_t i = 0; i < strips.size(); ++i) {
+    const double turn = i % 2 == 0 ? 0.1 : -0.1;
+    strips[i].normal = {std::sin(turn), std::cos(turn)};
+  }
+  const WeakDirection along = weak_direction(strips);
+  CHECK(std::fabs(along.direction.u) == doctest::Approx(1));
+  CHECK(along.share == doctest::Approx(std::tan(0.1) * std::tan(0.1)).scale(0));
+  for (StripCondition& strip : strips) strip.normal = {0, 1};
+  CHECK(weak_direction(strips).share < 1e-15);
+}

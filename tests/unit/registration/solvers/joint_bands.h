@@ -122,7 +122,9 @@ class ErrorsLeft {
     return made;
   }
   /// Against what the standard deviations foretell, and what is left on the street of 272 strips; but for its scenario
-  /// 2: of blocks 0.10 m are left there, and on this street, whose blocks are less well held, 0.19 as foretold.
+  /// 2: of blocks 0.10 m are left there. What holds a block along its street is how much its fronts differ in turn ("by
+  /// 0.05 rad"): turned by that to either side they leave 0.08 m, by even steps 0.12, drawn as here 0.19 (20 streets:
+  /// 0.18 to 0.34), each as foretold.
   void check_reductions(int scenario) const {
     struct Line {
       int scenario;
@@ -131,10 +133,11 @@ class ErrorsLeft {
     };
     constexpr Line kLines[] = {{1, 0, 0.025}, {3, 2, 0.014}, {4, 3, 0.017}, {5, 0, 0.35},
                                {5, 1, 0.76},  {5, 2, 0.27},  {5, 3, 0.13}};
-    for (size_t g = 0; g < 4; ++g) CHECK(after(g) == doctest::Approx(foretold(g)).epsilon(0.05));
+    for (size_t g = 0; g < 4; ++g)
+      CHECK(after(g) == doctest::Approx(foretold(g)).epsilon(0.05).scale(0));
     for (const Line& line : kLines)
       if (line.scenario == scenario)
-        CHECK(after(line.group) == doctest::Approx(line.left_m).epsilon(0.15));
+        CHECK(after(line.group) == doctest::Approx(line.left_m).epsilon(0.15).scale(0));
   }
 
  private:
