@@ -126,7 +126,7 @@ TEST_CASE("facade_truth__two_halves_of_an_opening_do_not_count_as_found_twice") 
   CHECK(f.judged == 4);
   CHECK(f.right == 2);
   CHECK(*std::min_element(f.ious.begin(), f.ious.end()) ==
-        doctest::Approx(14.0 / 15).epsilon(0.01));
+        doctest::Approx(14.0 / 15).epsilon(0.01).scale(0));
 }
 
 TEST_CASE("facade_truth__walls_invented_and_lost_are_areas") {
@@ -144,7 +144,7 @@ TEST_CASE("facade_truth__walls_invented_and_lost_are_areas") {
   for (Vec2& p : found.walls[0].shape.rings[0]) p.u = std::min(p.u, 9.0);
   f = compare_facade(found, truth);
   CHECK(f.lost_m2 == doctest::Approx(2.5).epsilon(0.01));
-  CHECK(f.wall_seen_m2 == doctest::Approx(f.wall_m2 - 2.5).epsilon(0.01));
+  CHECK(f.wall_seen_m2 == doctest::Approx(f.wall_m2 - 2.5).epsilon(0.01).scale(0));
   CHECK(f.invented_m2 == 0);
   // 3. A face 20 cm before the wall is none of it; what covers the wall is neither.
   found = perfect(truth);

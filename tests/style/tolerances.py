@@ -7,10 +7,24 @@ import re
 
 from source import read
 
-APPROX = re.compile(r"Approx\(([-+.\de]+)\)((?:\s*\.\w+\([^()]*\))*)")
+# What is compared (with up to two pairs of parentheses in it), and what is asked of Approx.
+APPROX = re.compile(r"Approx\(((?:[^()]|\((?:[^()]|\([^()]*\))*\))*)\)((?:\s*\.\w+\([^()]*\))*)")
 EPSILON = re.compile(r"\.epsilon\(([-+.\de]+)\)")
+NUMBER = re.compile(r"[-+.\de]+")
 USUAL_EPSILON = 1.1920929e-5  # of doctest: 100 x that of float
 WIDEST = 0.5  # of the number
+WIDEST_OF_UNKNOWN = 1e-3  # a number that is not written here may be as small as a millimetre
+
+
+def is_wide(number, rest):
+    """Whether Approx(number) with what is asked of it takes a range as wide as the number."""
+    given = EPSILON.search(rest)
+    epsilon = float(given.group(1)) if given else USUAL_EPSILON
+    if ".scale" in rest:
+        return False
+    if not NUMBER.fullmatch(number):
+        return epsilon > WIDEST_OF_UNKNOWN
+    return epsilon * (1 + abs(float(number))) > WIDEST * abs(float(number)) > 0
 
 
 def wide_tolerances(files):
@@ -19,9 +33,5 @@ def wide_tolerances(files):
             continue
         text = read(path)
         for found in APPROX.finditer(text):
-            number, rest = abs(float(found.group(1))), found.group(2)
-            given = EPSILON.search(rest)
-            epsilon = float(given.group(1)) if given else USUAL_EPSILON
-            scale = 0 if ".scale" in rest else 1
-            if number > 0 and epsilon * (scale + number) > WIDEST * number:
+            if is_wide(found.group(1), found.group(2)):
                 yield "%s:%d: %s takes a wide range: .scale(0)" % (path, text.count("\n", 0, found.start()) + 1, found.group(0))

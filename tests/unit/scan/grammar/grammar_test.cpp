@@ -70,14 +70,15 @@ TEST_CASE("grammar__turns_and_shifts_walls_and_stations_together") {
   for (size_t w = 0; w < plain.walls.size(); ++w) {
     CHECK(norm(moved.walls[w].origin - T.point(plain.walls[w].origin)) < 1e-9);
     CHECK(norm(moved.walls[w].normal - T.direction(plain.walls[w].normal)) < 1e-12);
-    CHECK(moved.walls[w].seen_share == doctest::Approx(plain.walls[w].seen_share).epsilon(0.01));
+    // Beams of another grid: of a pier of a few hundred of them, some.
+    CHECK(std::fabs(moved.walls[w].seen_share - plain.walls[w].seen_share) < 0.02);
   }
   for (size_t i = 0; i < before.stations.size(); ++i)
     CHECK(norm(after.stations[i].pose.translation() -
                T.point(before.stations[i].pose.translation())) < 1e-9);
   for (size_t i = 0; i < plain.openings.size(); ++i)
     CHECK(moved.openings[i].area_seen_share ==
-          doctest::Approx(plain.openings[i].area_seen_share).epsilon(0.05));
+          doctest::Approx(plain.openings[i].area_seen_share).epsilon(0.05).scale(0));
 }
 
 TEST_CASE("grammar__other_scenes_have_the_default_scanner_and_tell_no_walls") {
