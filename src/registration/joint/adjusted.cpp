@@ -98,6 +98,16 @@ Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajecto
   return made;
 }
 
+std::vector<Vec3> adjusted_points(const JointAdjustment& adjustment) {
+  const JointPoints points = turned(adjustment.points, adjustment.attitude_bias_rad);
+  std::vector<Vec3> made = points.at;
+  for (size_t i = 0; i < made.size(); ++i) {
+    const Vec2 by = adjustment.trajectory.at(points.places[i]);
+    made[i] += {by.u, by.v, adjustment.ground.empty() ? 0 : adjustment.height_at(points.places[i])};
+  }
+  return made;
+}
+
 Cloud adjusted_cloud(const JointAdjustment& adjustment, const Trajectory& given, const Cloud& split,
                      Task& task) {
   const Cloud cloud = with_whole_beams(split);

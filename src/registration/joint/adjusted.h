@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <vector>
+
 #include "base/task.h"
 #include "cloud/cloud.h"
 #include "registration/joint/joint_adjustment.h"
@@ -11,6 +13,9 @@ namespace jalon {
 /// The trajectory that was adjusted, corrected and turned, with the standard deviations that it has now,
 /// linear between the control times.
 Trajectory adjusted_trajectory(const JointAdjustment& adjustment, const Trajectory& given);
+
+/// The points of the adjustment where they are now.
+std::vector<Vec3> adjusted_points(const JointAdjustment& adjustment);
 
 /// A cloud of that drive with its points, and "beam_origin" and "beam_direction", where the adjusted trajectory puts
 /// them; beyond the trajectory's ends they move as the ends do. In "covariance" and "point_sigma" the part of the

@@ -20,6 +20,7 @@
 #include "report/pages/html_frame.h"
 #include "report/pages/html_model.h"
 #include "report/pictures/drive_plan.h"
+#include "report/pictures/facade_section.h"
 #include "report/sheet/svg_parts.h"
 #include "report/sheet/ticks.h"
 #include "report/viewer/view_page.h"
@@ -226,6 +227,15 @@ void add_distances(Page& page, const JointAdjustment& a, size_t bins) {
     page.note(grouped(off) + (off == 1 ? " point lies" : " points lie") + " beyond the axis.");
 }
 
+void add_section(Page& page, const StripScene& scene, const JointAdjustment& a) {
+  const auto facade = farthest_facade(scene, a);
+  if (!facade) return;
+  page.heading("A facade before and after");
+  page.note("Facade " + std::to_string(*facade) +
+            ", the farthest from its points as given, seen from above: its strips and its points.");
+  page.html().raw(facade_section(scene, a, *facade));
+}
+
 // ---- matches and strips ------------------------------------------------------------------------------------------
 
 void add_matches(Page& page, const JointAdjustment& a) {
@@ -319,6 +329,7 @@ std::string adjustment_html(const JointAdjustment& adjustment, const AdjustedInp
     add_viewer(page, adjustment_scene(adjustment, inputs), settings.viewer_points, task);
   add_drive(page, adjustment, inputs);
   add_distances(page, adjustment, static_cast<size_t>(settings.bins));
+  add_section(page, scene, adjustment);
   add_matches(page, adjustment);
   add_strips(page, scene, adjustment, static_cast<size_t>(settings.strips));
   add_convergence(page, adjustment);

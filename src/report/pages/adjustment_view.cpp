@@ -10,7 +10,6 @@
 #include "base/text_number.h"
 #include "model/trajectory/corrections.h"
 #include "registration/joint/adjusted.h"
-#include "registration/joint/attitude_bias.h"
 #include "registration/joint/strip_scene.h"
 #include "report/pictures/deviation_colours.h"
 #include "report/sheet/ticks.h"
@@ -22,17 +21,10 @@ namespace {
 
 constexpr double kShareOfDistances = 0.98;  // within the scale, as in the picture of a comparison
 
-CloudPtr cloud_of_points(const JointAdjustment& a, bool moved) {
-  const JointPoints points = moved ? turned(a.points, a.attitude_bias_rad) : a.points;
+CloudPtr cloud_of(const std::vector<Vec3>& points) {
   Buffer<double> xyz(3 * points.size());
-  for (size_t i = 0; i < points.size(); ++i) {
-    Vec3 p = points.at[i];
-    if (moved) {
-      const Vec2 by = a.trajectory.at(points.places[i]);
-      p = p + Vec3{by.u, by.v, a.ground.empty() ? 0 : a.height_at(points.places[i])};
-    }
-    for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = p[k];
-  }
+  for (size_t i = 0; i < points.size(); ++i)
+    for (int k = 0; k < 3; ++k) xyz[3 * i + static_cast<size_t>(k)] = points[i][k];
   return std::make_shared<const Cloud>(make_cloud(std::move(xyz)));
 }
 
@@ -105,9 +97,9 @@ void add_drive_to(ViewScene& out, const Trajectory& drive, const char* name, con
 ViewScene adjustment_scene(const JointAdjustment& adjustment, const AdjustedInputs& inputs) {
   ViewScene scene;
   scene.clouds.push_back(
-      {"adjusted", cloud_of_points(adjustment, true), {}, {0x2f, 0x8a, 0x4c}, false, {}});
+      {"adjusted", cloud_of(adjusted_points(adjustment)), {}, {0x2f, 0x8a, 0x4c}, false, {}});
   scene.clouds.push_back(
-      {"as given", cloud_of_points(adjustment, false), {}, {0xb3, 0x47, 0x2f}, true, {}});
+      {"as given", cloud_of(adjustment.points.at), {}, {0xb3, 0x47, 0x2f}, true, {}});
   scene.clouds[0].channels.push_back(distance_channel(adjustment));
   scene.focus = box_without_strays(*scene.clouds[0].cloud, {});
   add_strips_to(scene, adjustment, inputs.model);

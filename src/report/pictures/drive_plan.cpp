@@ -22,40 +22,6 @@ constexpr double kChi95 = 2.4477;    // root of the 95 % quantile of chi-square 
 constexpr double kPaperMost_mm = 8;  // length that the greatest correction may take
 constexpr size_t kMostEllipses = 40, kMostPoints = 2000;
 
-struct PlanLine {
-  Vec2 a, b;
-  bool is_held;  ///< points were matched to it
-};
-
-// A strip's faces seen from above: the longest extent of their corners along the wall.
-std::vector<PlanLine> plan_lines(const StripScene& scene, const JointAdjustment& adjustment) {
-  struct Extent {
-    double low = INFINITY, high = -INFINITY;
-  };
-  std::vector<Extent> extents(scene.strips.size());
-  const auto along = [&](uint32_t s) {
-    return Vec2{-scene.strips[s].normal.v, scene.strips[s].normal.u};
-  };
-  for (size_t t = 0; t < scene.face_of.size(); ++t) {
-    const uint32_t s = scene.strip_of_face[scene.face_of[t]];
-    if (s == kNoStrip) continue;
-    for (size_t k = 0; k < 3; ++k) {
-      const Vec3& p = scene.corners[3 * t + k];
-      const double at = dot(along(s), {p.x, p.y});
-      extents[s].low = std::min(extents[s].low, at),
-      extents[s].high = std::max(extents[s].high, at);
-    }
-  }
-  std::vector<PlanLine> lines;
-  for (uint32_t s = 0; s < scene.strips.size(); ++s) {
-    if (extents[s].low > extents[s].high) continue;
-    const Vec2 foot = scene.strips[s].normal * scene.strips[s].offset_m;
-    lines.push_back({foot + along(s) * extents[s].low, foot + along(s) * extents[s].high,
-                     adjustment.strip_points[s] > 0});
-  }
-  return lines;
-}
-
 struct PlanWindow {
   double left = INFINITY, low = INFINITY, right = -INFINITY, high = -INFINITY;
   double mm_per_m = 1;
@@ -186,6 +152,34 @@ void draw_key(SvgWriter& svg, double factor, bool has_truth) {
 }
 
 }  // namespace
+
+std::vector<PlanLine> plan_lines(const StripScene& scene, const JointAdjustment& adjustment) {
+  struct Extent {
+    double low = INFINITY, high = -INFINITY;
+  };
+  std::vector<Extent> extents(scene.strips.size());
+  const auto along = [&](uint32_t s) {
+    return Vec2{-scene.strips[s].normal.v, scene.strips[s].normal.u};
+  };
+  for (size_t t = 0; t < scene.face_of.size(); ++t) {
+    const uint32_t s = scene.strip_of_face[scene.face_of[t]];
+    if (s == kNoStrip) continue;
+    for (size_t k = 0; k < 3; ++k) {
+      const Vec3& p = scene.corners[3 * t + k];
+      const double at = dot(along(s), {p.x, p.y});
+      extents[s].low = std::min(extents[s].low, at),
+      extents[s].high = std::max(extents[s].high, at);
+    }
+  }
+  std::vector<PlanLine> lines;
+  for (uint32_t s = 0; s < scene.strips.size(); ++s) {
+    if (extents[s].low > extents[s].high) continue;
+    const Vec2 foot = scene.strips[s].normal * scene.strips[s].offset_m;
+    lines.push_back({foot + along(s) * extents[s].low, foot + along(s) * extents[s].high,
+                     adjustment.strip_points[s] > 0, s});
+  }
+  return lines;
+}
 
 double drive_plan_factor(double greatest_m, double mm_per_m, double paper_mm) {
   const double paper = greatest_m * mm_per_m;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "model/trajectory/trajectory.h"
 #include "registration/joint/joint_adjustment.h"
@@ -16,6 +17,14 @@ namespace jalon {
 /// (truth may be null; epochs beyond its ends are left out).
 std::string drive_plan(const StripScene& scene, const JointAdjustment& adjustment,
                        const Trajectory& given, const Trajectory* truth);
+
+/// A strip as given, seen from above: the longest extent of the corners of its faces along the wall.
+struct PlanLine {
+  Vec2 a, b;
+  bool is_held;  ///< points were matched to it
+  uint32_t strip;
+};
+std::vector<PlanLine> plan_lines(const StripScene& scene, const JointAdjustment& adjustment);
 
 /// The factor: 1, or a 1, 2 or 5 times a power of ten by which the greatest of the corrections stays below
 /// paper_mm on a plan of this scale.

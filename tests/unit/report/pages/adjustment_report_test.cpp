@@ -54,8 +54,9 @@ TEST_CASE("adjustment_report__says_what_came_out_and_its_test") {
   const std::string page = s.page();
   CHECK(has(page, s.adjustment.converged ? "Converged" : "Not converged"));
   CHECK(has(page, text_of(s.adjustment.chi_square, 1) + " on "));
-  for (const char* chapter : {"Plan", "Along the drive", "Distances of the matched points",
-                              "What became of the points", "Convergence"})
+  for (const char* chapter :
+       {"Plan", "Along the drive", "Distances of the matched points", "A facade before and after",
+        "What became of the points", "Convergence"})
     CHECK(has(page, std::string("<h2>") + chapter));
   CHECK(has(page, "Shapiro-Wilk on "));
 }
