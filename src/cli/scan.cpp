@@ -47,7 +47,7 @@ struct Scan {
   Settings settings, scene_settings;
   std::string scene = "facade", method = "static";
   std::string output, model_output, trajectory_output;
-  int64_t drift_seed = 1;
+  int64_t drift_seed = 1, scenario = -1;
   std::vector<std::string> stations;
 
   void add_stations(jalon_scanner* scanner) const {
@@ -126,15 +126,17 @@ struct Scan {
                     "method mobile drives through a street of its own: no --scene, no --station"};
     if (trajectory_output.empty())
       throw Failure{JALON_ERROR_INVALID_ARGUMENT, "method mobile needs --trajectory FILE"};
-    scan_by_drive({settings, scene_settings, output, model_output, trajectory_output, drift_seed},
-                  common);
+    scan_by_drive(
+        {settings, scene_settings, output, model_output, trajectory_output, drift_seed, scenario},
+        common);
   }
 
   void run() const {
     check_output_file(output, "cloud");
     if (method == "mobile") return drive();
-    if (!trajectory_output.empty())
-      throw Failure{JALON_ERROR_INVALID_ARGUMENT, "--trajectory is for --method mobile"};
+    if (!trajectory_output.empty() || scenario >= 0)
+      throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                    "--trajectory and --scenario are for --method mobile"};
     const std::string truth_path = truth_output();
     if (!truth_path.empty()) check_output_file(truth_path);
     if (!model_output.empty()) check_output_file(model_output, "model");
@@ -211,6 +213,14 @@ void add_scan(Command& app) {
       .shows_default()
       .type_name("N");
   command
+      .option("--scenario", state->scenario,
+              "Method mobile: the model too is wrong, in strips (1.5 m), and what is true is "
+              "written as NAME.true beside it. "
+              "What is 2 m off, all else 1 cm: 1 the trajectory, 2 blocks, 3 facades, 4 strips; 5: "
+              "1 m, 1 m, 0.5 m and 0.3 m; "
+              "0: by the sigmas of --scene-set")
+      .type_name("N");
+  command
       .option("--station", state->stations,
               "Scanner position; without one, two are placed in front (repeatable)")
       .type_name("X,Y,Z")
@@ -221,7 +231,9 @@ void add_scan(Command& app) {
   command.footer([] {
     return "Parameters of --scene-set (scene):\n" + describe(make_params("scene").get()) + "\n" +
            "Parameters of --scene-set with --method mobile (street_drive):\n" +
-           describe(make_params("street_drive").get()) + "\n" + scanner_tables() +
+           describe(make_params("street_drive").get()) + "\n" +
+           "Parameters of --scene-set with --scenario (drive_scenario):\n" +
+           describe(make_params("drive_scenario").get()) + "\n" + scanner_tables() +
            "Examples: jalon scan --scene facade -o sample.las\n"
            "          jalon scan --scene insa --set instrument=gx --set max_points=200000 --set "
            "glass_return_min=0.05 "

@@ -88,6 +88,22 @@ assert d[\"summary\"][\"converged\"]==1 and d[\"summary\"][\"matched\"]>0.9*d[\"
 rows=list(csv.DictReader(open(\"adjusted/controls.csv\")))
 assert all(float(r[\"sigma_0\"])<0.5*float(r[\"prior_sigma_0\"]) for r in rows)'"
 for file in report.html trajectory.txt cloud.las cloud.ply model.obj model.city.json adjustment.json strips.csv matches.csv; do check "adjust made $file" test -s adjusted/$file; done
+check "scan makes a scenario with its truth, whose blocks adjust brings home" bash -c "'$jalon' scan --method mobile -o off.las --model off.city.json --trajectory off.txt --scenario 2 --scene-set leg_m=60 --quiet && '$jalon' adjust off.city.json off.las off.txt -o home --truth off.true.txt --set sigma_block_x_m=2 --set sigma_block_y_m=2 --set sigma_facade_m=0.01 --set sigma_strip_m=0.01 --quiet && python3 -c '
+import json
+def walls(path):
+  m = json.load(open(path)); s, t = m[\"transform\"][\"scale\"], m[\"transform\"][\"translate\"]; made = {}
+  for o in m[\"CityObjects\"].values():
+    for g in o.get(\"geometry\", []):
+      for k, ring in enumerate(g[\"boundaries\"]):
+        a = g[\"semantics\"][\"surfaces\"][g[\"semantics\"][\"values\"][k]]
+        if a[\"type\"] == \"WallSurface\": made[a[\"name\"]] = [m[\"vertices\"][ring[0][0]][i] * s[i] + t[i] for i in (0, 1)]
+  return made
+true, given, found = walls(\"off.true.city.json\"), walls(\"off.city.json\"), walls(\"home/model.city.json\")
+off = lambda m: sum(sum((m[n][i] - true[n][i]) ** 2 for i in (0, 1)) for n in true) ** 0.5
+assert len(true) > 100 and true.keys() == given.keys() == found.keys(), len(true)
+assert off(found) < 0.4 * off(given), (off(given), off(found))'"
+refuses "a scenario without a drive" 2 'method mobile' "$jalon" scan -o none.las --scenario 2
+refuses "a scenario that is told another scanner" 2 'no --set' "$jalon" scan --method mobile -o none.las --trajectory none.txt --scenario 2 --set pulses=100
 check "adjust tells of a drive with a gap" bash -c "awk 'NR < 3 || \$1 < 5 || \$1 > 10' drive.txt >gap.txt && '$jalon' adjust street.obj drive.ply gap.txt -o gapped --json 2>&1 >/dev/null | grep -q 'no epochs for 5.0. s from 4.99 s on'"
 check "adjust tells that hardly a point is on a wall of a model in feet" bash -c "awk '\$1 == \"v\" { print \"v\", \$2 / 0.3048, \$3 / 0.3048, \$4 / 0.3048; next } 1' street.obj >feet.obj && '$jalon' adjust feet.obj drive.ply drive.txt -o footed --json 2>&1 >/dev/null | grep -q 'in one unit and coordinate system'"
 check "adjust writes CityJSON whose walls tell what moved them, and keeps their numbers when it is read again" bash -c "'$jalon' adjust adjusted/model.city.json drive.ply drive.txt -o adjusted2 --quiet && python3 -c '

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/inputs/drive_scan.h"
 
+#include <filesystem>
 #include <numbers>
 #include <vector>
 
@@ -99,6 +100,62 @@ Cloud points_of(const Cloud& measured, const Trajectory& trajectory, const Param
   return made;
 }
 
+// street.city.json -> street.true.city.json
+std::string true_name(const std::string& path) {
+  const std::filesystem::path whole(path);
+  const std::string name = whole.filename().string();
+  const size_t dot = name.find('.');
+  const std::string end = dot == std::string::npos ? "" : name.substr(dot);
+  return (whole.parent_path() / (name.substr(0, dot) + ".true" + end)).string();
+}
+
+Params scenario_options(const DriveScan& scan) {
+  Params options = make_params("drive_scenario");
+  must(jalon_params_set_bool(options.get(), "closed", 1));
+  must(jalon_params_set_int64(options.get(), "scenario", scan.scenario));
+  must(jalon_params_set_double(options.get(), "noise_range_m", 0.005));
+  scan.street.apply(options.get());
+  return options;
+}
+
+// What a user has, and beside it what is true.
+void write_scenario(const DriveScan& scan, Console& console) {
+  if (scan.scanner.is_given())
+    throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                  "a scenario has its scanner among the parameters of --scene-set: no --set"};
+  const Params options = scenario_options(scan);
+  console.step("scanning");
+  Model model, true_model;
+  Trajectory trajectory, true_trajectory;
+  Cloud cloud;
+  must(jalon_scene_drive_scenario(options.get(), console.task(), Out(model), Out(trajectory),
+                                  Out(cloud), Out(true_model), Out(true_trajectory)));
+  const double seconds = console.seconds();
+  console.step("writing");
+  const auto written = [&](const Trajectory& t, const std::string& path) {
+    must(jalon_trajectory_write(t.get(), path.c_str(), nullptr, nullptr, console.task()));
+  };
+  must(jalon_cloud_write(cloud.get(), scan.output.c_str(), nullptr, console.task()));
+  written(trajectory, scan.trajectory_output);
+  written(true_trajectory, true_name(scan.trajectory_output));
+  const auto kept = [&](const Model& m, const std::string& path) {
+    must(jalon_model_write(m.get(), path.c_str(), nullptr, console.task()));
+  };
+  if (!scan.model_output.empty()) {
+    kept(model, scan.model_output);
+    kept(true_model, true_name(scan.model_output));
+  }
+  console.say(grouped(count_of(cloud)) + " points of a drive in " + fixed(seconds, 2) + " s -> " +
+              scan.output + ", " + scan.trajectory_output + "; the truth -> " +
+              true_name(scan.trajectory_output));
+  console.result(DriveJson{{"scene", "drive_scenario"},
+                           {"scenario", scan.scenario},
+                           {"output", scan.output},
+                           {"trajectory", scan.trajectory_output},
+                           {"points", count_of(cloud)},
+                           {"seconds", seconds}});
+}
+
 }  // namespace
 
 void scan_by_drive(const DriveScan& scan, const Common& common) {
@@ -106,6 +163,7 @@ void scan_by_drive(const DriveScan& scan, const Common& common) {
   if (!scan.model_output.empty()) check_output_file(scan.model_output, "model");
   Console console(common);
   console.step("scene");
+  if (scan.scenario >= 0) return write_scenario(scan, console);
   const Params options = street_options(scan.street);
   Params scanner_params;
   const Scanner scanner = mobile_scanner(scan.scanner, scanner_params);
