@@ -114,22 +114,6 @@ struct Compare {
     return Direction::of(std::move(made));
   }
 
-  void write_report(const Console& console, const PathOf& path_of, const Direction& forward,
-                    const Direction& reverse, const Fields& changes, const Params& change_options,
-                    const Json& times, const std::string& shadows, const Lengths& lengths) const {
-    const Params options = viewer.params("comparison_report");
-    must(jalon_params_set_double(options.get(), "threshold_m",
-                                 deciding_threshold(*forward.summary, change_options)));
-    Json notes{
-        {"title", "Comparison"},
-        {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},
-        {"times", times}};
-    if (!shadows.empty()) notes["input"]["shadows"] = shadows;
-    notes["input"]["unit"] = lengths.in_report();
-    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
-    write_report_files(console, path_of, forward, reverse, changes, options, text);
-  }
-
   // How the two sides are compared.
   struct Plan {
     bool both = false;       ///< each with the other
@@ -137,6 +121,23 @@ struct Compare {
     bool by_models = false;  ///< two models by points on them
     std::string shadows;     ///< what became of the parts that a scan could not see
   };
+
+  void write_report(const Console& console, const PathOf& path_of, const Direction& forward,
+                    const Direction& reverse, const Fields& changes, const Params& change_options,
+                    const Json& times, const Plan& plan, const Lengths& lengths) const {
+    const Params options = viewer.params("comparison_report");
+    must(jalon_params_set_double(options.get(), "threshold_m",
+                                 deciding_threshold(*forward.summary, change_options)));
+    Json notes{
+        {"title", "Comparison"},
+        {"input", {{"reference", reference.path}, {"compared", compared.path}, {"method", method}}},
+        {"times", times}};
+    if (!plan.shadows.empty()) notes["input"]["shadows"] = plan.shadows;
+    notes["input"]["unit"] = lengths.in_report();
+    const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
+    write_report_files(console, path_of, {forward, reverse, changes, plan.diagnosed}, options,
+                       text);
+  }
 
   Plan plan() const {
     Plan out;
@@ -153,17 +154,6 @@ struct Compare {
     must(jalon_params_get_string(change_options.get(), "criterion", &criterion));
     return plan.diagnosed && !steps.is_given() && !extras.is_given() &&
            std::string(criterion) != "field";
-  }
-
-  void write_outlines(const Console& console, OutputFolder& folder, const Direction& forward,
-                      const Direction& reverse, const Fields& found, const Plan& plan) const {
-    Model outlines;
-    must(jalon_comparison_outlines(forward.comparison.get(), forward.points.get(),
-                                   reverse.comparison.get(), reverse.points.get(),
-                                   plan.diagnosed ? found.get() : nullptr, nullptr, console.task(),
-                                   Out(outlines)));
-    for (const char* name : {"regions.geojson", "regions.dxf"})
-      must(jalon_model_write(outlines.get(), folder.path(name).c_str(), nullptr, console.task()));
   }
 
   Fields find_changes(const Console& console, const Plan& plan, const Params& options,
@@ -265,12 +255,14 @@ struct Compare {
     console.step("changes");
     Fields found = find_changes(console, plan, options, forward, reverse);
     times["changes"] = console.seconds();
-    for (const Cloud* cloud : {&after.cloud, &before.cloud})
-      if (*cloud) must(jalon_cloud_drop_index(cloud->get()));
-    give_back_memory();
     console.step("writing");
     OutputFolder folder(output);
     const PathOf path_of = [&](const std::string& name) { return folder.path(name); };
+    write_report(console, path_of, forward, reverse, found, options, times, plan, lengths);
+    // The last that asks for neighbours: what writing points takes lies where the indices were.
+    for (const Cloud* cloud : {&after.cloud, &before.cloud})
+      if (*cloud) must(jalon_cloud_drop_index(cloud->get()));
+    give_back_memory();
     Beside beside(console);
     Json done = Json::array();
     if (steps.is_given()) {
@@ -283,8 +275,6 @@ struct Compare {
     beside.wait();  // the points of one side with all that they tell are in memory at a time
     if (plan.both) write_points(console, beside, path_of, "reference", reference, before, reverse);
     beside.wait();
-    write_outlines(console, folder, forward, reverse, found, plan);
-    write_report(console, path_of, forward, reverse, found, options, times, plan.shadows, lengths);
     const Table changes(std::move(found));
     const std::string list = plan.diagnosed ? "changes" : "regions";
     write_text_file(folder.path(list + ".csv"), changes.csv());

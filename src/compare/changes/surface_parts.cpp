@@ -8,6 +8,7 @@
 #include <map>
 
 #include "base/numbers.h"
+#include "base/parallel.h"
 #include "compare/detection/found_stations.h"
 #include "compare/visibility/depth_map.h"
 
@@ -51,6 +52,11 @@ struct Meeting {
   size_t places = 0, agreed = 0;
   size_t in_plane = 0, about_plane = 0;  ///< of a region that is flat, points of the other
 
+  Meeting& operator+=(const Meeting& other) {
+    places += other.places, agreed += other.agreed;
+    in_plane += other.in_plane, about_plane += other.about_plane;
+    return *this;
+  }
   void add_off(double off) {
     in_plane += off <= kOfPlane ? 1 : 0;
     about_plane += off <= kAbout * kOfPlane ? 1 : 0;
@@ -151,13 +157,18 @@ class StationView {
 std::vector<RegionPair> parts_of_one_surface(const Epoch& epoch, Task& task) {
   if (epoch.regions.regions.size() < 2) return {};
   const CloudPtr cloud = with_found_stations(epoch.comparison->cloud, task);
+  std::vector<const Station*> stations;
+  for (const Station& station : cloud->stations)
+    if (station.has_pose && station.count > 0) stations.push_back(&station);
+  std::vector<std::map<RegionPair, Meeting>> seen(stations.size());
+  parallel_chunks(task, stations.size(), [&](size_t k) {
+    const StationView view(epoch, *cloud, *stations[k], task);
+    for (uint64_t i = stations[k]->first; i < stations[k]->first + stations[k]->count; ++i)
+      if (epoch.regions.labels[i] != 0) view.meet(static_cast<uint32_t>(i), seen[k]);
+  });
   std::map<RegionPair, Meeting> meetings;
-  for (const Station& station : cloud->stations) {
-    if (!station.has_pose || station.count == 0) continue;
-    const StationView view(epoch, *cloud, station, task);
-    for (uint64_t i = station.first; i < station.first + station.count; ++i)
-      if (epoch.regions.labels[i] != 0) view.meet(static_cast<uint32_t>(i), meetings);
-  }
+  for (const auto& of_station : seen)
+    for (const auto& [pair, meeting] : of_station) meetings[pair] += meeting;
   std::vector<RegionPair> out;
   for (const auto& [pair, meeting] : meetings)
     if (meeting.is_one_surface()) out.push_back(pair);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "base/parallel.h"
+
 namespace jalon {
 
 namespace {
@@ -19,11 +21,15 @@ Sights::Sights(const Cloud& cloud, Task& task) : cloud_(&cloud) {
   DepthSettings settings;
   settings.rule = CellRule::kNearest;
   settings.fill_passes = 0;  // an empty cell was not measured
-  for (const Station& station : cloud.stations) {
-    if (station.count == 0) continue;
-    maps_.push_back(DepthMap::build(cloud, station, {}, settings, task));
-    places_.push_back(station.pose.point({}));
-  }
+  std::vector<const Station*> stations;
+  for (const Station& station : cloud.stations)
+    if (station.count > 0) stations.push_back(&station);
+  maps_.resize(stations.size());
+  // Much of a map is made by one thread.
+  parallel_chunks(task, stations.size(), [&](size_t k) {
+    maps_[k] = DepthMap::build(cloud, *stations[k], {}, settings, task);
+  });
+  for (const Station* station : stations) places_.push_back(station->pose.point({}));
 }
 
 PlaceSight Sights::look(const DepthMap& map, const Vec3& station, const Vec3& place,

@@ -40,20 +40,19 @@ VisibilityTest::VisibilityTest(const Cloud& reference, const DepthSettings& sett
   settings.check();
   require_stations(reference);
   const Vec3 second_centre = settings.second_centre();
-  const bool has_second = squared_norm(second_centre) > 0;
-  maps_each_ = has_second ? 2 : 1;
-  uint64_t done = 0;
-  for (const Station& station : reference.stations) {
-    if (station.count == 0) continue;
-    const auto share = [&](uint64_t n) {
-      return static_cast<double>(n) / static_cast<double>(reference.size());
-    };
-    const ProgressSpan span(task, share(done), share(done + station.count), "depth maps");
-    done += station.count;
-    maps_.push_back(DepthMap::build(reference, station, {}, settings, task));
-    if (has_second)
-      maps_.push_back(DepthMap::build(reference, station, second_centre, settings, task));
-  }
+  std::vector<Vec3> centres{{}};
+  if (squared_norm(second_centre) > 0) centres.push_back(second_centre);
+  maps_each_ = centres.size();
+  std::vector<const Station*> stations;
+  for (const Station& station : reference.stations)
+    if (station.count > 0) stations.push_back(&station);
+  maps_.resize(stations.size() * maps_each_);
+  // Much of a map is made by one thread.
+  const ProgressSpan span(task, 0, 1, "depth maps");
+  parallel_chunks(task, maps_.size(), [&](size_t k) {
+    maps_[k] = DepthMap::build(reference, *stations[k / maps_each_], centres[k % maps_each_],
+                               settings, task);
+  });
 }
 
 Visibility VisibilityTest::from_map(const DepthMap& map, const Sighting& s,

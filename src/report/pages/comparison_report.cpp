@@ -3,6 +3,7 @@
 #include "report/pages/comparison_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -44,8 +45,10 @@ constexpr const char* kComparisonReportSideBySide =
     "display:grid;grid-template-columns:repeat(auto-fit,minmax(26rem,1fr));gap:1rem";
 
 std::vector<double> finite_distances(const Comparison& comparison) {
+  const auto distances = comparison.points.require("distance").values<double>();
   std::vector<double> out;
-  for (const double d : comparison.points.require("distance").values<double>())
+  out.reserve(distances.size());
+  for (const double d : distances)
     if (std::isfinite(d)) out.push_back(d);
   return out;
 }
@@ -68,10 +71,20 @@ double median_of(std::vector<double>& values) {
 // Values that a curve is fitted to: its spread is known to 0.2 %, less than the width of its line.
 constexpr size_t kMostOfCurve = 200000;
 
-void keep_evenly(std::vector<double>& values, size_t most) {
-  if (values.size() <= most) return;
-  for (size_t k = 0; k < most; ++k) values[k] = values[k * values.size() / most];
-  values.resize(most);
+// The values up to noise_m in size, in their order; of more than kMostOfCurve evenly so many. count: of all of them.
+std::vector<double> quiet_values(const std::vector<double>& values, double noise_m, size_t& count) {
+  const auto is_quiet = [&](double d) { return std::abs(d) <= noise_m; };
+  count = static_cast<size_t>(std::count_if(values.begin(), values.end(), is_quiet));
+  std::vector<double> out;
+  out.reserve(std::min(count, kMostOfCurve));
+  size_t at = 0;
+  for (const double d : values) {
+    if (!is_quiet(d)) continue;
+    const bool is_kept = count <= kMostOfCurve || at == out.size() * count / kMostOfCurve;
+    if (is_kept && out.size() < kMostOfCurve) out.push_back(d);
+    ++at;
+  }
+  return out;
 }
 
 // End of that axis, rounded up; no farther than the colour scale unless that was asked for.
@@ -90,11 +103,9 @@ Fitted fit(const Comparison& comparison, const DeviationScale& scale,
   const std::vector<double> values = finite_distances(comparison);
   const double limit_m = body_limit(values, scale, settings.limit_m);
   const double noise_m = settings.threshold_m > 0 ? settings.threshold_m : limit_m;
-  std::vector<double> quiet;
-  for (const double d : values)
-    if (std::abs(d) <= noise_m) quiet.push_back(d);
-  out.law_values = quiet.size();
-  keep_evenly(quiet, kMostOfCurve);
+  size_t all_quiet = 0;
+  const std::vector<double> quiet = quiet_values(values, noise_m, all_quiet);
+  out.law_values = all_quiet;
   using Law = NoiseLawSettings::Law;
   const Law kind = scale.is_signed ? Law::kGauss : Law::kWeibull;
   try {
@@ -161,45 +172,67 @@ void add_more(Page& page, const Comparison& comparison) {
   add_pairs(page, pairs);
 }
 
+// Of one direction.
+struct Detection {
+  uint64_t points = 0, tested = 0, significant = 0;
+  std::array<double, 3> levels_m{kNaN, kNaN, kNaN};  ///< of detection, at kLevelShares
+};
+constexpr std::array kLevelShares{0.05, 0.5, 0.95};
+
+bool has_detection(const Comparison* comparison) {
+  return comparison != nullptr && comparison->points.find("level_of_detection") != nullptr &&
+         comparison->points.find("significant") != nullptr;
+}
+
+Detection detection_of(const Comparison& comparison) {
+  const Column &level = comparison.points.require("level_of_detection"),
+               &significant = comparison.points.require("significant");
+  Detection out{.points = level.count()};
+  std::vector<double> levels;
+  levels.reserve(level.count());
+  for (size_t i = 0; i < level.count(); ++i) {
+    if (significant.number(i) != 0) ++out.significant;
+    if (const double at = level.number(i); at >= 0) levels.push_back(at);
+  }
+  out.tested = levels.size();
+  if (levels.empty()) return out;
+  for (size_t k = 0; k < kLevelShares.size(); ++k) {
+    const auto at = levels.begin() + static_cast<std::ptrdiff_t>(
+                                         kLevelShares[k] * static_cast<double>(levels.size() - 1));
+    std::nth_element(levels.begin(), at, levels.end());
+    out.levels_m[k] = *at;
+  }
+  return out;
+}
+
 // How far a distance must be to be one, and how many are.
-void add_detection(Page& page, const Comparison& forward, const Comparison* reverse) {
-  if (forward.points.find("level_of_detection") == nullptr ||
-      forward.points.find("significant") == nullptr)
-    return;
+void add_detection(Page& page, const Comparison& forward, const Comparison* reverse, Task& task) {
+  if (!has_detection(&forward)) return;
+  struct Row {
+    const char* name;
+    const Comparison* of;
+    Detection found;
+  };
+  std::vector<Row> rows{{"compared with the reference", &forward, {}}};
+  if (has_detection(reverse)) rows.push_back({"reference with the compared", reverse, {}});
+  parallel_chunks(task, rows.size(), [&](size_t k) { rows[k].found = detection_of(*rows[k].of); });
   page.heading("Significance");
   auto& html = page.html();
   page.open_table({"direction", "tested", "significant", "share (%)",
                    "level of detection (mm): 5 %", "half", "95 %"});
-  const auto row = [&](const char* name, const Comparison& c) {
-    const Column &level = c.points.require("level_of_detection"),
-                 &significant = c.points.require("significant");
-    std::vector<double> levels;
-    uint64_t found = 0;
-    for (size_t i = 0; i < level.count(); ++i) {
-      if (significant.number(i) != 0) ++found;
-      if (const double at = level.number(i); at >= 0) levels.push_back(at);
-    }
-    const auto quantile = [&](double share) {
-      if (levels.empty()) return kNaN;
-      const auto at = levels.begin() +
-                      static_cast<std::ptrdiff_t>(share * static_cast<double>(levels.size() - 1));
-      std::nth_element(levels.begin(), at, levels.end());
-      return *at;
-    };
+  for (const Row& row : rows) {
+    const Detection& found = row.found;
     html.open("tr");
-    html.element("td", {}, name);
-    page.number(grouped(levels.size()));
-    page.number(grouped(found));
-    page.number(
-        levels.empty()
-            ? "-"
-            : text_of(100 * static_cast<double>(found) / static_cast<double>(level.count()), 2));
-    for (const double share : {0.05, 0.5, 0.95}) page.number(told_mm(quantile(share)));
+    html.element("td", {}, row.name);
+    page.number(grouped(found.tested));
+    page.number(grouped(found.significant));
+    page.number(found.tested == 0 ? "-"
+                                  : text_of(100 * static_cast<double>(found.significant) /
+                                                static_cast<double>(found.points),
+                                            2));
+    for (const double level_m : found.levels_m) page.number(told_mm(level_m));
     html.close();
-  };
-  row("compared with the reference", forward);
-  if (reverse != nullptr && reverse->points.find("significant") != nullptr)
-    row("reference with the compared", *reverse);
+  }
   page.close_table();
   page.note(
       "A distance beyond its level of detection is significant. The share is of all points; those "
@@ -268,12 +301,15 @@ void add_histograms(Page& page, const Comparison& forward, const Comparison* rev
                     Task& task) {
   page.heading("How far");
   page.html().open("div", {{"style", kComparisonReportSideBySide}});
+  std::vector<const Comparison*> both{&forward};
+  if (reverse != nullptr) both.push_back(reverse);
+  std::vector<DrawnHistogram> drawn(both.size());
+  parallel_chunks(task, both.size(),
+                  [&](size_t k) { drawn[k] = histogram_of(*both[k], scale, settings, task); });
   bool has_law = false;
-  for (const Comparison* comparison : {&forward, reverse}) {
-    if (comparison == nullptr) continue;
-    const DrawnHistogram drawn = histogram_of(*comparison, scale, settings, task);
-    page.html().raw(drawn.svg);
-    has_law = has_law || drawn.has_law;
+  for (const DrawnHistogram& one : drawn) {
+    page.html().raw(one.svg);
+    has_law = has_law || one.has_law;
   }
   page.html().close();
   if (!has_law) return;
@@ -307,7 +343,7 @@ std::string comparison_html(const Comparison& forward, const Comparison* reverse
   add_viewer(page, comparison_scene(forward, reverse, changes, scale), settings.viewer_points,
              task);
   add_histograms(page, forward, reverse, scale, settings, task);
-  add_detection(page, forward, reverse);
+  add_detection(page, forward, reverse, task);
   add_more(page, forward);
   if (!notes.input.empty()) {
     page.heading("Input");
