@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <set>
 
 #include "base/parallel.h"
+#include "spatial/union_find.h"
 
 namespace jalon {
 
@@ -91,6 +94,27 @@ void grow_moved(const Neighbourhoods& around, CoreTests& tests, Task& task) {
   }
 }
 
+// Step 3.
+void take_back_of_few_surfaces(const Neighbourhoods& around, CoreTests& tests, Task& task) {
+  UnionFind pieces(tests.cores.size());
+  for (size_t k = 0; k < tests.cores.size(); ++k) {
+    if (tests.cores[k].state != CoreState::kMoved) continue;
+    if (k % kCoherenceGrain == 0)
+      task.checkpoint(static_cast<double>(k) / static_cast<double>(tests.cores.size()));
+    around.for_each(k, [&](size_t other) {
+      if (around.is_alike(k, other))
+        pieces.join(static_cast<uint32_t>(k), static_cast<uint32_t>(other));
+    });
+  }
+  std::map<uint32_t, std::set<uint32_t>> surfaces;  // by piece
+  for (uint32_t k = 0; k < tests.cores.size(); ++k)
+    if (tests.cores[k].state == CoreState::kMoved)
+      surfaces[pieces.find(k)].insert(tests.cores[k].surface);
+  for (uint32_t k = 0; k < tests.cores.size(); ++k)
+    if (tests.cores[k].state == CoreState::kMoved && surfaces[pieces.find(k)].size() <= kLeastAlike)
+      tests.cores[k].state = CoreState::kUnchanged;
+}
+
 }  // namespace
 
 void settle_together(const SurfaceCores& reference, const SurfaceCores& compared, CoreTests& tests,
@@ -98,6 +122,7 @@ void settle_together(const SurfaceCores& reference, const SurfaceCores& compared
   const Neighbourhoods around(reference, compared, tests);
   take_back_lonely(around, tests, task);
   grow_moved(around, tests, task);
+  take_back_of_few_surfaces(around, tests, task);
 }
 
 }  // namespace jalon

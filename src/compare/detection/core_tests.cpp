@@ -156,8 +156,11 @@ class Tester {
     if (test.has_surface) {
       if (z_of(test, scale) < limit) return;
       test.state = CoreState::kMoved;
-      // A surface far before or behind another is not that surface moved, unless the place was seen.
-      if (std::abs(test.distance_m) > reach) test.state = seen_or_not(core, margin);
+      if (std::abs(test.distance_m) <= reach) return;
+      // A surface far before or behind another is not that surface moved, unless the place was seen: but a flank of a
+      // column whose other flank is that surface is as near to what was seen of the column as its points are apart.
+      test.state =
+          nearest_m_[core.point] <= reach ? CoreState::kUnchanged : seen_or_not(core, margin);
       return;
     }
     if (nearest_m_[core.point] <= reach + margin) return;

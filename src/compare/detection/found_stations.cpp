@@ -88,11 +88,16 @@ size_t passing(std::span<const PlanLine> lines, const Vec3& place) {
                                            [&](const PlanLine& l) { return l.passes(place); }));
 }
 
+// At the beginning of these lines, of so many of the cloud.
+size_t neighbourhood(size_t lines, size_t all) {
+  return std::min(lines,
+                  std::max<size_t>(kLeastLines,
+                                   static_cast<size_t>(kNeighbourhood * static_cast<double>(all))));
+}
+
 // The place that most of the lines at the beginning pass: where the scanner of the first points stood.
 std::optional<Vec3> first_place(std::span<const PlanLine> lines, size_t all, Task& task) {
-  const size_t about = std::min(
-      lines.size(), std::max<size_t>(kLeastLines, static_cast<size_t>(kNeighbourhood *
-                                                                      static_cast<double>(all))));
+  const size_t about = neighbourhood(lines.size(), all);
   RandomStream random(0, all);
   size_t most = 0;
   Vec3 best;
@@ -114,13 +119,38 @@ std::optional<Vec3> first_place(std::span<const PlanLine> lines, size_t all, Tas
   return best;
 }
 
-// How many lines from the beginning belong to the place: up to where those that do not pass it prevail.
+struct NextPlace {
+  Vec3 place;
+  size_t from = 0;  ///< lines before it are still the last one's
+};
+
+// The place of the next station. Of the last one, lines over edges may be left that pass nothing: they end where most
+// of both pass their own.
+std::optional<NextPlace> next_place(std::span<const PlanLine> lines, size_t all, const Vec3* last,
+                                    Task& task) {
+  const size_t step = std::max<size_t>(1, neighbourhood(lines.size(), all) / 2);
+  const size_t most = last != nullptr ? 2 * step : 0;
+  for (size_t left = 0; left <= most && left < lines.size(); left += step) {
+    const std::optional<Vec3> place = first_place(lines.subspan(left), all, task);
+    if (!place) continue;
+    NextPlace out{*place, 0};
+    int64_t sum = 0, best = 0;
+    for (size_t k = 0; k < left; ++k) {
+      sum += (lines[k].passes(*last) ? 1 : 0) - (lines[k].passes(*place) ? 1 : 0);
+      if (sum >= best) best = sum, out.from = k + 1;
+    }
+    return out;
+  }
+  return std::nullopt;
+}
+
+// How many lines from the beginning belong to the place: up to where those that do not pass it prevail. Where a coarse
+// scan has much in front of something else, four lines in ten reach over edges and pass nothing.
 size_t lines_until(std::span<const PlanLine> lines, const Vec3& place) {
-  constexpr double kMiss = kInliers / (1 - kInliers);  // weighs as much as the hits it stands among
-  double sum = 0, best = 0;
+  int64_t sum = 0, best = 0;
   size_t end = 0;
   for (size_t k = 0; k < lines.size(); ++k) {
-    sum += lines[k].passes(place) ? 1 : -kMiss;
+    sum += lines[k].passes(place) ? 1 : -1;
     if (sum > best) best = sum, end = k + 1;
   }
   return end;
@@ -152,26 +182,40 @@ std::vector<Station> find_stations(const Cloud& cloud, Task& task) {
   std::vector<Station> out;
   size_t from = 0, passed = 0;
   uint64_t first = 0;
+  Vec3 last;  // in plan
   while (lines.size() - from >= kLeastLines && out.size() < kMostStations) {
-    const std::span<const PlanLine> rest(lines.data() + from, lines.size() - from);
-    std::optional<Vec3> place = first_place(rest, lines.size(), task);
-    if (!place) break;
-    refine(rest, *place);
-    const size_t n = lines_until(rest, *place);
+    std::span<const PlanLine> rest(lines.data() + from, lines.size() - from);
+    const auto next = next_place(rest, lines.size(), out.empty() ? nullptr : &last, task);
+    if (!next) break;
+    if (next->from > 0) {
+      passed += passing(rest.first(next->from), last);
+      from += next->from;
+      rest = rest.subspan(next->from);
+      first = lines[from].at;
+      out.back().count = first - out.back().first;
+    }
+    Vec3 place = next->place;
+    refine(rest, place);
+    const size_t n = lines_until(rest, place);
     if (n < kLeastLines) break;
-    refine(rest.first(n), *place);
-    passed += passing(rest.first(n), *place);
+    refine(rest.first(n), place);
+    passed += passing(rest.first(n), place);
     from += n;
     const bool is_last = lines.size() - from < kLeastLines;
     const uint64_t end = is_last ? cloud.size() : lines[from].at;
     const std::optional<double> height =
-        sweep_height(cloud, first, end, cloud.point(0) + *place, task);
+        sweep_height(cloud, first, end, cloud.point(0) + place, task);
     if (!height) return {};
-    out.push_back(station_at({cloud.point(0).x + place->x, cloud.point(0).y + place->y, *height},
+    out.push_back(station_at({cloud.point(0).x + place.x, cloud.point(0).y + place.y, *height},
                              first, end - first, out.size() + 1));
     first = end;
+    last = place;
   }
   const auto all = static_cast<double>(lines.size());
+  if (!out.empty() && static_cast<double>(from) >= kCovered * all) {
+    out.back().count = cloud.size() - out.back().first;  // with what passes nothing at its end
+    first = cloud.size();
+  }
   const bool is_covered = first == cloud.size() && static_cast<double>(from) >= kCovered * all &&
                           static_cast<double>(passed) >= kInliers * all;
   return is_covered && !out.empty() ? out : std::vector<Station>{};

@@ -44,6 +44,19 @@ void measure_curving(const Cloud& cloud, std::span<const Neighbour> points, cons
   core.curving_sigma_per_m = static_cast<float>(std::sqrt(rest2 / squares));
 }
 
+// Does the slope across the longer axis hang on one point? Of a row with a point of another surface beside it, whose
+// plane turns about the row as that point has it (leverage: Belsley, Kuh & Welsch 1980, 2.1).
+bool hangs_on_one(const Cloud& cloud, std::span<const Neighbour> points, const Vec3& centroid,
+                  const SurfaceCore& core) {
+  constexpr double kMostLeverage = 0.5;  // of 32 points about a place the farthest has 0.15
+  double most2 = 0;
+  for (const Neighbour& neighbour : points) {
+    const double v = dot(core.axis_v, cloud.point(neighbour.index) - centroid);
+    most2 = std::max(most2, v * v);
+  }
+  return most2 > kMostLeverage * core.spread_v2 * core.count;
+}
+
 SurfaceCore core_at(const Cloud& cloud, const Octree& tree, uint32_t point, const Vec3& origin) {
   std::array<Neighbour, kCorePoints> found;
   const Vec3 place = cloud.point(point);
@@ -70,7 +83,9 @@ SurfaceCore core_at(const Cloud& cloud, const Octree& tree, uint32_t point, cons
   out.sigma_m = std::sqrt(std::max(0.0, axes.values[0]) * count / (count - 3));
   out.spread_v2 = axes.values[1];
   out.spread_u2 = axes.values[2];
-  measure_curving(cloud, std::span(found).first(n), moments.centroid(), out);
+  const auto points = std::span(found).first(n);
+  if (n == kCorePoints && hangs_on_one(cloud, points, moments.centroid(), out)) out.count = 0;
+  measure_curving(cloud, points, moments.centroid(), out);
   return out;
 }
 

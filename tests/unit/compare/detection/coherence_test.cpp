@@ -81,3 +81,22 @@ TEST_CASE("coherence__grows_beside_what_moved_to_the_same_side_alone") {
   CHECK(floor.tests.cores[middle[2]].state == CoreState::kUnchanged);
   CHECK(floor.tests.cores[middle[3]].state == CoreState::kMoved);
 }
+
+TEST_CASE("coherence__cores_on_two_surfaces_of_the_reference_have_not_moved") {
+  for (const size_t surfaces : {1, 2, 3}) {
+    TestedFloor floor;
+    const std::vector<size_t> middle = floor.about_middle(30);
+    for (size_t i = 0; i < middle.size(); ++i) {
+      const size_t surface = middle[i % surfaces];
+      CoreTest& test = floor.tests.cores[middle[i]];
+      test.surface = static_cast<uint32_t>(surface);
+      test.distance_m = floor.cores[surface].normal.z > 0 ? 0.01 : -0.01;
+      test.state = CoreState::kMoved;
+    }
+    floor.settle();
+    constexpr size_t kInner = 8;  // the outer ones may be lonely
+    for (size_t i = 0; i < kInner; ++i)
+      CHECK(floor.tests.cores[middle[i]].state ==
+            (surfaces < 3 ? CoreState::kUnchanged : CoreState::kMoved));
+  }
+}

@@ -31,6 +31,23 @@ TEST_CASE("surface_cores__know_the_noise_and_the_plane_of_a_sheet") {
   }
 }
 
+TEST_CASE("surface_cores__a_row_with_one_point_beside_it_has_no_plane") {
+  Task task;
+  RandomStream random(9, 8);
+  std::vector<Vec3> points;
+  for (int k = 0; k < 100; ++k) points.push_back({0.03 * k, 0.001 * random.normal(), 0});
+  const Vec3 beside{1.5, 0.3, -0.04};  // on the wall below the edge that the row runs along
+  points.push_back(beside);
+  const SurfaceCores cores(cloud_of(points), {}, task);
+  size_t with_it = 0;
+  for (size_t k = 0; k < cores.size(); ++k) {
+    if (std::abs(cores[k].centroid.x - beside.x) > 0.3) continue;
+    ++with_it;
+    CHECK_FALSE(cores[k].has_plane());
+  }
+  CHECK(with_it > 0);
+}
+
 TEST_CASE("surface_cores__points_on_a_line_have_no_plane") {
   Task task;
   std::vector<Vec3> points;
