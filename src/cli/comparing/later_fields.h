@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "cli/comparing/direction.h"
 #include "cli/options.h"
@@ -63,9 +64,12 @@ inline Cloud read_whole(Console& console, const Input& input, const ReadScan& sc
   return out;
 }
 
+/// As NAME.las and NAME.ply; "points" of what was found is given up, of which the files have a copy by then.
 inline void write_points(Console& console, Beside& beside, const PathOf& path_of, const char* name,
-                         const Input& input, const ReadScan& scan, const Direction& found) {
-  write_both(beside, path_of, read_whole(console, input, scan, found), name);
+                         const Input& input, const ReadScan& scan, Direction& found) {
+  Cloud whole = read_whole(console, input, scan, found);
+  found.points.reset();
+  write_both(beside, path_of, std::move(whole), name);
 }
 
 }  // namespace jalon::cli

@@ -159,8 +159,9 @@ class Tester {
       if (std::abs(test.distance_m) <= reach) return;
       // A surface far before or behind another is not that surface moved, unless the place was seen: but a flank of a
       // column whose other flank is that surface is as near to what was seen of the column as its points are apart.
-      test.state =
-          nearest_m_[core.point] <= reach ? CoreState::kUnchanged : seen_or_not(core, margin);
+      test.state = seen_or_not(core, margin);
+      if (test.state == CoreState::kNew && nearest_m_[core.point] <= reach)
+        test.state = CoreState::kUntold;
       return;
     }
     if (nearest_m_[core.point] <= reach + margin) return;
