@@ -147,9 +147,10 @@ JALON_API JALON_CHECK jalon_status jalon_cloud_write(const jalon_cloud* cloud, c
                                                      const jalon_params* options, jalon_task* task);
 /** Reads a cloud from one file and writes it to another, as jalon_cloud_read and jalon_cloud_write would, to the same
  * bytes. options: operation "convert" (box, columns, scale, ...) or NULL. *out is the number of points written. From
- * LAS, LAZ and COPC without stations to LAS, LAZ and text the points go through in pieces of half a million, so that
- * the memory needed does not grow with the file; other pairs, "scale", a file written over itself, and files in which
- * one piece settles what another cannot keep are read whole. The target appears when all is written. */
+ * LAS, LAZ, COPC and text (from 256 MiB on) without stations to LAS, LAZ and text the points go through in pieces of
+ * half a million, so that the memory needed does not grow with the file; text, and with "scale" any file, is read more
+ * than once for that. Other pairs, a file written over itself, text with a coordinate that is not finite, and files in
+ * which one piece settles what another cannot keep are read whole. The target appears when all is written. */
 JALON_API JALON_CHECK jalon_status jalon_cloud_convert(const char* source, const char* target,
                                                        const jalon_params* options,
                                                        jalon_task* task, uint64_t* out);

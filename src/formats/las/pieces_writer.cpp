@@ -64,9 +64,15 @@ class LasSink : public CloudSink {
       settings_.las_version = LasVersion::k14;
   }
 
+  bool asks_for_bounds(const Cloud& first, Task& task) const override {
+    return make_plan(first, path_, settings_, task).has_steps_of_bounds;
+  }
+
+  void tell_bounds(const Box3& bounds) override { bounds_ = bounds; }
+
   bool put(const Cloud& piece, Task& task) override {
     if (!piece.stations.empty() || leaves_records_out(piece)) return false;
-    Plan plan = make_plan(piece, path_, settings_, task);
+    Plan plan = make_plan(piece, path_, settings_, task, Profile::kPlain, bounds_);
     if (!file_) start(plan);
     else if (!are_same_plans(settled_, plan)) return false;
     const size_t n = piece.size();
@@ -118,8 +124,9 @@ class LasSink : public CloudSink {
   const std::string path_;
   WriteSettings settings_;
   const bool is_packed_;
-  Plan settled_;  ///< by the first piece, with columns without values
-  Plan plan_;     ///< the same with the record of the compressor
+  std::optional<Box3> bounds_;  ///< of all pieces
+  Plan settled_;                ///< by the first piece, with columns without values
+  Plan plan_;                   ///< the same with the record of the compressor
   std::optional<AtomicFile> file_;
   std::optional<LazWriter> laz_;
   std::optional<LazStream> stream_;

@@ -164,8 +164,7 @@ void add_descriptors(Plan& plan, const Origin& origin) {
   plan.vlrs.insert(plan.vlrs.begin() + static_cast<ptrdiff_t>(place), std::move(record));
 }
 
-Box3 file_bounds(const Cloud& cloud, const LengthUnits& units, Task& task) {
-  Box3 box = bounds(cloud, task);
+Box3 in_file(Box3 box, const LengthUnits& units) {
   for (Vec3* corner : {&box.min, &box.max})
     *corner = {corner->x / units.horizontal, corner->y / units.horizontal,
                corner->z / units.vertical};
@@ -194,7 +193,7 @@ bool old_steps_fit(const Cloud& cloud, const Plan& plan, const Vec3& scale, cons
 }
 
 void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, double wanted,
-                  Task& task) {
+                  const std::optional<Box3>& of_all, Task& task) {
   if (!plan.old_header.empty() && wanted == 0) {
     for (int k = 0; k < 3; ++k) {
       plan.scale[k] = load<double>(plan.old_header.data() + 131 + 8 * k);
@@ -202,8 +201,10 @@ void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, doubl
     }
     if (old_steps_fit(cloud, plan, plan.scale, plan.offset, task)) return;
   }
-  const Box3 box =
-      cloud.size() != 0 ? file_bounds(cloud, plan.units, task) : Box3{{0, 0, 0}, {0, 0, 0}};
+  plan.has_steps_of_bounds = true;
+  const Box3 box = of_all              ? in_file(*of_all, plan.units)
+                   : cloud.size() != 0 ? in_file(bounds(cloud, task), plan.units)
+                                       : Box3{{0, 0, 0}, {0, 0, 0}};
   for (int k = 0; k < 3; ++k) {
     const double metres = k == 2 ? plan.units.vertical : plan.units.horizontal;
     plan.scale[k] = wanted != 0 ? wanted / metres : kDefaultScale_m;
@@ -221,7 +222,7 @@ void choose_steps(Plan& plan, const Cloud& cloud, const std::string& path, doubl
 }  // namespace
 
 Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
-               Task& task, Profile profile) {
+               Task& task, Profile profile, const std::optional<Box3>& bounds) {
   Plan plan;
   Origin origin = origin_of(cloud);
   const bool same_crs = says_crs_of(origin, cloud);
@@ -252,14 +253,14 @@ Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings&
          station_records(cloud, station->info().name,
                          {plan.units.horizontal, plan.units.horizontal, plan.units.vertical}))
       plan.vlrs.push_back(std::move(record));
-  choose_steps(plan, cloud, path, settings.scale, task);
+  choose_steps(plan, cloud, path, settings.scale, bounds, task);
   return plan;
 }
 
 Plan plan_of_steps(const Cloud& cloud, const std::string& path, double scale_m, Task& task) {
   Plan plan;
   plan.old_header = origin_of(cloud).header;
-  choose_steps(plan, cloud, path, scale_m, task);
+  choose_steps(plan, cloud, path, scale_m, std::nullopt, task);
   return plan;
 }
 

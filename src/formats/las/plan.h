@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -43,13 +44,16 @@ struct Plan {
   std::vector<std::byte> old_header;  ///< of the file that the cloud came from, or empty
   LengthUnits units;                  ///< of the coordinates in the file
   Vec3 scale, offset;                 ///< in that unit
+  bool has_steps_of_bounds = false;   ///< those follow from where the points are
 };
 
 /// What a file is beyond LAS. COPC has no point format with wave packets, and names its CRS by WKT.
 enum class Profile { kPlain, kCopc };
 
+/// bounds: of all points, in metres, where the cloud is a part of them.
 Plan make_plan(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
-               Task& task, Profile profile = Profile::kPlain);
+               Task& task, Profile profile = Profile::kPlain,
+               const std::optional<Box3>& bounds = std::nullopt);
 
 /// Scale and offset alone, for coordinates in metres: those of the LAS file that the cloud came from where they
 /// give all coordinates back, else steps of `scale_m`, or (0) of 0.0001 m or the next power of ten that fits.

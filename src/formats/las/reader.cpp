@@ -318,6 +318,11 @@ class LasPieces : public CloudPieces {
 
   uint64_t count() const override { return file_->count(); }
 
+  void rewind() override {
+    run_ = {};
+    is_first_ = true;
+  }
+
   bool next(size_t most, Cloud& piece, Task& task) override {
     piece = {};
     run_ = file_->behind(run_, most);

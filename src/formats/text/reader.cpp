@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <limits>
 #include <memory>
 
 #include "base/error.h"
@@ -14,6 +11,8 @@
 #include "formats/files/component.h"
 #include "formats/files/finish_cloud.h"
 #include "formats/files/utf8.h"
+#include "formats/text/block_lines.h"
+#include "formats/text/column_ranges.h"
 #include "formats/text/layout.h"
 #include "formats/text/text.h"
 
@@ -21,71 +20,7 @@ namespace jalon {
 
 namespace {
 
-constexpr size_t kBlockBytes = size_t{1} << 20;
-constexpr size_t kMoreBytes = size_t{64}
-                              << 10;  // read at a time to find the end of a block's last line
 constexpr size_t kNumberBytes = 400;  // longest cell taken for a number with decimal comma
-
-/// The lines that start in one block of the file. The cuts depend on the file only.
-class Block {
- public:
-  Block(const ByteSource& source, uint64_t data_begin, size_t index) : source_(source) {
-    const uint64_t begin = data_begin + uint64_t{index} * kBlockBytes;
-    const uint64_t from =
-        index == 0 ? begin : begin - 1;  // the byte before tells whether a line starts here
-    const auto nominal = static_cast<size_t>(
-        std::min<uint64_t>(kBlockBytes, source.size() - begin) + (begin - from));
-    bytes_.reset(static_cast<char*>(std::malloc(nominal)));
-    if (!bytes_) throw std::bad_alloc();
-    size_ = source.read_some(from, bytes_.get(), nominal);
-    offset_ = from;
-    limit_ = size_;
-    if (index != 0) {
-      const void* feed = size_ == 0 ? nullptr : std::memchr(bytes_.get(), '\n', size_);
-      at_ = feed == nullptr
-                ? size_
-                : static_cast<size_t>(static_cast<const char*>(feed) - bytes_.get()) + 1;
-    }
-  }
-
-  /// The next line that starts in the block, without its line feed.
-  bool next(std::string_view& line) {
-    if (at_ >= limit_) return false;
-    const void* feed = std::memchr(bytes_.get() + at_, '\n', size_ - at_);
-    while (feed == nullptr && read_more())
-      feed = std::memchr(bytes_.get() + at_, '\n', size_ - at_);
-    const size_t end = feed == nullptr
-                           ? size_
-                           : static_cast<size_t>(static_cast<const char*>(feed) - bytes_.get());
-    line = {bytes_.get() + at_, end - at_};
-    at_ = end + 1;
-    return true;
-  }
-
- private:
-  bool read_more() {
-    if (size_ - at_ > kMaxLineBytes)
-      source_.refuse(offset_ + at_, "a line is longer than %zu bytes", kMaxLineBytes);
-    const uint64_t from = offset_ + size_;
-    if (from >= source_.size()) return false;
-    const auto more = static_cast<size_t>(std::min<uint64_t>(kMoreBytes, source_.size() - from));
-    char* larger = static_cast<char*>(std::realloc(bytes_.get(), size_ + more));
-    if (larger == nullptr) throw std::bad_alloc();
-    (void)bytes_.release();
-    bytes_.reset(larger);
-    const size_t read = source_.read_some(from, bytes_.get() + size_, more);
-    size_ += read;
-    return read != 0;
-  }
-
-  struct Free {
-    void operator()(char* p) const { std::free(p); }
-  };
-  const ByteSource& source_;
-  std::unique_ptr<char, Free> bytes_;
-  size_t size_ = 0, limit_ = 0, at_ = 0;
-  uint64_t offset_ = 0;
-};
 
 struct BlockCount {
   uint64_t lines = 0, points = 0;
@@ -98,48 +33,53 @@ struct Column64 {
   size_t stride = 1;  ///< elements from one point to the next
 };
 
-struct Range {
-  bool integers = true, wide = false, beyond_signed = false, beyond_unsigned = false;
-  double min = std::numeric_limits<double>::infinity(),
-         max = -std::numeric_limits<double>::infinity();
-  void add(const ParsedNumber& number) {
-    integers = integers && number.integer;
-    wide = wide || number.wide;
-    beyond_signed = beyond_signed || number.beyond_signed;
-    beyond_unsigned = beyond_unsigned || number.beyond_unsigned;
-    min = std::min(min, number.value);
-    max = std::max(max, number.value);
-  }
-  Range& operator+=(const Range& b) {
-    integers = integers && b.integers;
-    wide = wide || b.wide;
-    beyond_signed = beyond_signed || b.beyond_signed;
-    beyond_unsigned = beyond_unsigned || b.beyond_unsigned;
-    min = std::min(min, b.min);
-    max = std::max(max, b.max);
-    return *this;
-  }
-};
-
-using Ranges = std::vector<Range>;
-
 class TextReader {
  public:
   TextReader(const ByteSource& source, const std::string& columns, Task& task)
-      : source_(source), task_(task), layout_(detect_text_layout(source, columns)) {
+      : source_(source), task_(&task), layout_(detect_text_layout(source, columns)) {
     const uint64_t bytes = source.size() - layout_.data_offset;
-    blocks_.resize(static_cast<size_t>((bytes + kBlockBytes - 1) / kBlockBytes));
+    blocks_.resize(static_cast<size_t>((bytes + kTextBlockBytes - 1) / kTextBlockBytes));
+    count();
+    end_ = blocks_.size();
+    points_ = all_points_;
   }
 
-  Cloud run() {
-    count();
+  uint64_t all_points() const { return all_points_; }
+
+  /// What is read from now on: the blocks behind the last part, of so many points or a few more; false behind the last
+  /// block. The first part begins with the file.
+  bool next_part(size_t most) {
+    first_ = is_cut_ ? end_ : 0;
+    is_cut_ = true;
+    end_ = first_;
+    while (end_ < blocks_.size() && points_before(end_) - points_before(first_) < most) ++end_;
+    points_ = static_cast<size_t>(points_before(end_) - points_before(first_));
+    return first_ < blocks_.size();
+  }
+  void rewind(Task& task) {
+    is_cut_ = false;
+    task_ = &task;
+  }
+
+  /// What stands in the columns; adds whether all coordinates are finite.
+  ColumnRanges ranges(bool& all_finite) {
     Buffer<double> xyz(3 * points_);
     prepare(xyz);
-    Ranges ranges;
+    ColumnRanges out = parse();
+    all_finite = all_finite && std::ranges::all_of(xyz, [](double v) { return std::isfinite(v); });
+    return out;
+  }
+
+  /// Types by what all parts hold; null: by what is read.
+  Cloud run(const ColumnRanges* of_all) {
+    Buffer<double> xyz(3 * points_);
+    prepare(xyz);
+    ColumnRanges ranges;
     {
-      ProgressSpan span(task_, 0.15, 0.85, "reading text");
+      ProgressSpan span(*task_, 0.15, 0.85, "reading text");
       ranges = parse();
     }
+    if (of_all != nullptr) ranges = *of_all;
     reread_wide(ranges);
     Cloud cloud = make_cloud(std::move(xyz));
     add_fields(cloud, ranges);
@@ -148,11 +88,15 @@ class TextReader {
   }
 
  private:
+  uint64_t points_before(size_t block) const {
+    return block < blocks_.size() ? blocks_[block].points : all_points_;
+  }
+
   /// Lines and points of each block, turned into numbers of the first of each.
   void count() {
-    ProgressSpan span(task_, 0, 0.15, "counting lines");
-    parallel_chunks(task_, blocks_.size(), [&](size_t b) {
-      Block block(source_, layout_.data_offset, b);
+    ProgressSpan span(*task_, 0, 0.15, "counting lines");
+    parallel_chunks(*task_, blocks_.size(), [&](size_t b) {
+      BlockLines block(source_, layout_.data_offset, b);
       for (std::string_view line; block.next(line);) {
         ++blocks_[b].lines;
         blocks_[b].points += is_data(line) ? 1 : 0;
@@ -160,9 +104,9 @@ class TextReader {
     });
     uint64_t line = layout_.data_line;
     for (BlockCount& block : blocks_) {
-      const BlockCount first{line, points_};
+      const BlockCount first{line, all_points_};
       line += block.lines;
-      points_ += block.points;
+      all_points_ += block.points;
       block = first;
     }
   }
@@ -175,8 +119,8 @@ class TextReader {
   /// is known.
   void prepare(Buffer<double>& xyz) {
     const auto& names = layout_.names;
-    columns_.resize(names.size());
-    held_.resize(names.size());
+    columns_.assign(names.size(), {});
+    held_.assign(names.size(), nullptr);
     const bool normals = std::ranges::count(names, "nx") == 1 &&
                          std::ranges::count(names, "ny") == 1 &&
                          std::ranges::count(names, "nz") == 1;
@@ -198,24 +142,25 @@ class TextReader {
     }
   }
 
-  Ranges parse() {
-    std::vector<Ranges> parts(blocks_.size());
-    parallel_chunks(task_, blocks_.size(), [&](size_t b) {
-      Ranges ranges(columns_.size());
-      Block block(source_, layout_.data_offset, b);
+  ColumnRanges parse() {
+    std::vector<ColumnRanges> parts(end_ - first_);
+    parallel_chunks(*task_, parts.size(), [&](size_t i) {
+      const size_t b = first_ + i;
+      ColumnRanges ranges(columns_.size());
+      BlockLines block(source_, layout_.data_offset, b);
       uint64_t number = blocks_[b].lines;
-      size_t point = blocks_[b].points;
+      auto point = static_cast<size_t>(blocks_[b].points - points_before(first_));
       for (std::string_view line; block.next(line); ++number)
         if (is_data(line)) parse_line(line, number, point++, ranges);
-      parts[b] = std::move(ranges);
+      parts[i] = std::move(ranges);
     });
-    Ranges all(columns_.size());
-    for (const Ranges& part : parts)
-      for (size_t c = 0; c < part.size(); ++c) all[c] += part[c];
+    ColumnRanges all(columns_.size());
+    for (const ColumnRanges& part : parts) add(all, part);
     return all;
   }
 
-  void parse_line(std::string_view line, uint64_t number, size_t point, Ranges& ranges) const {
+  void parse_line(std::string_view line, uint64_t number, size_t point,
+                  ColumnRanges& ranges) const {
     const char* p = line.data();
     const char* end = p + line.size();
     while (end > p && (end[-1] == '\r' || is_blank(end[-1]))) --end;
@@ -236,7 +181,7 @@ class TextReader {
   // An empty cell of a table is a value that is not there; of blank-separated text it is a line too
   // short.
   const char* parse_cell(const char* p, const char* end, size_t c, uint64_t number, size_t point,
-                         Range& range) const {
+                         ColumnRange& range) const {
     ParsedNumber value;
     const bool empty = p == end || (layout_.separator != ' ' && *p == layout_.separator);
     if (empty) {
@@ -294,11 +239,11 @@ class TextReader {
   }
 
   /// Whole numbers beyond 2^53 are read once more, as 64-bit integers.
-  void reread_wide(const Ranges& ranges) {
+  void reread_wide(const ColumnRanges& ranges) {
     std::vector<Column64> again(columns_.size());
     bool needed = false;
     for (size_t c = 0; c < columns_.size(); ++c) {
-      const Range& range = ranges[c];
+      const ColumnRange& range = ranges[c];
       if (held_[c] == nullptr || !range.wide || !range.integers) continue;
       const bool as_signed = !range.beyond_signed;
       if (!as_signed && (range.beyond_unsigned || range.min < 0)) continue;
@@ -310,12 +255,12 @@ class TextReader {
     }
     if (!needed) return;
     columns_.swap(again);
-    ProgressSpan span(task_, 0.85, 0.9, "reading text");
+    ProgressSpan span(*task_, 0.85, 0.9, "reading text");
     parse();
   }
 
   /// The smallest usual type of a column of whole numbers.
-  static ElementType type_of(const std::string& name, const Range& range) {
+  static ElementType type_of(const std::string& name, const ColumnRange& range) {
     using enum ElementType;
     const auto within = [&](double low, double high) {
       return range.min >= low && range.max <= high;
@@ -333,11 +278,11 @@ class TextReader {
     return within(0, 4294967295.0) ? kUint32 : kInt64;
   }
 
-  void add_fields(Cloud& cloud, const Ranges& ranges) {
-    ProgressSpan span(task_, 0.9, 0.95);
+  void add_fields(Cloud& cloud, const ColumnRanges& ranges) {
+    ProgressSpan span(*task_, 0.9, 0.95);
     for (size_t c = 0; c < held_.size(); ++c) {
       if (held_[c] == nullptr) continue;
-      task_.checkpoint(static_cast<double>(c) / static_cast<double>(held_.size()));
+      task_->checkpoint(static_cast<double>(c) / static_cast<double>(held_.size()));
       const ElementType type = type_of(layout_.names[c], ranges[c]);
       if (held_[c]->info().type == ElementType::kFloat64 && type != ElementType::kFloat64) {
         FieldInfo field = held_[c]->info();
@@ -353,19 +298,79 @@ class TextReader {
   }
 
   const ByteSource& source_;
-  Task& task_;
+  Task* task_;
   TextLayout layout_;
   std::vector<BlockCount> blocks_;
-  size_t points_ = 0;
+  uint64_t all_points_ = 0;
+  size_t first_ = 0, end_ = 0;  ///< blocks of the part that is read: all where none was cut
+  bool is_cut_ = false;
+  size_t points_ = 0;  ///< of that part
   std::vector<Column64> columns_;
   std::vector<std::shared_ptr<Column>> held_;
   std::shared_ptr<Column> normal_;
 };
 
+/// Read twice: what types the columns have is known when all is read.
+class TextPieces : public CloudPieces {
+ public:
+  TextPieces(const ByteSource& source, const std::string& columns, Task& task)
+      : reader_(source, columns, task) {}
+
+  uint64_t count() const override { return reader_.all_points(); }
+  double look_share() const override { return kLookShare; }
+
+  bool look_through(Task& task) override {
+    reader_.rewind(task);
+    bool all_finite = true;
+    for (uint64_t passed = 0; all_finite && reader_.next_part(kLookPoints); passed += kLookPoints) {
+      ProgressSpan span(task, share(passed), share(passed + kLookPoints), "reading text");
+      add(ranges_, reader_.ranges(all_finite));
+    }
+    return all_finite;
+  }
+
+  void rewind() override { is_begun_ = false; }
+
+  bool next(size_t most, Cloud& piece, Task& task) override {
+    if (!is_begun_) reader_.rewind(task);
+    const bool is_first = !is_begun_;
+    is_begun_ = true;
+    piece = {};
+    if (!reader_.next_part(most) && !is_first) return false;
+    piece = reader_.run(&ranges_);
+    return true;
+  }
+
+ private:
+  static constexpr double kLookShare = 0.4;  // parsing once more, and writing
+  static constexpr size_t kLookPoints = size_t{1} << 19;
+  double share(uint64_t points) const {
+    const uint64_t all = std::max<uint64_t>(count(), 1);
+    return static_cast<double>(std::min(points, all)) / static_cast<double>(all);
+  }
+
+  TextReader reader_;
+  ColumnRanges ranges_;
+  bool is_begun_ = false;
+};
+
 }  // namespace
 
 Cloud text_points(const ByteSource& source, const std::string& columns, Task& task) {
-  return TextReader(source, columns, task).run();
+  return TextReader(source, columns, task).run(nullptr);
+}
+
+std::unique_ptr<CloudPieces> pieces_of_text(const ByteSource& source, const std::string& columns,
+                                            Task& task) {
+  return std::make_unique<TextPieces>(source, columns, task);
+}
+
+std::unique_ptr<CloudPieces> text_pieces(const ByteSource& source, const ReadSettings& settings,
+                                         Task& task) {
+  // Below, parsing once more costs more than it saves: some 300 MB of points.
+  constexpr uint64_t kLeastBytes = uint64_t{256} << 20;
+  if (source.size() < kLeastBytes) return nullptr;
+  return pieces_of_text(source, settings.columns, task);
 }
 
 Cloud read_text(const ByteSource& source, const ReadSettings& settings, Task& task) {

@@ -20,6 +20,12 @@ bool is_plain_text(const ByteSource& source);
 Cloud text_points(const ByteSource& source, const std::string& columns, Task& task);
 /// Lines of numbers, whatever separates them: XYZ, CSV.
 Cloud read_text(const ByteSource& source, const ReadSettings& settings, Task& task);
+/// The same piece by piece, which looks the file through first; null where it is small enough to be read whole.
+std::unique_ptr<CloudPieces> text_pieces(const ByteSource& source, const ReadSettings& settings,
+                                         Task& task);
+/// Whatever its size.
+std::unique_ptr<CloudPieces> pieces_of_text(const ByteSource& source, const std::string& columns,
+                                            Task& task);
 /// Blanks, and "# x y z ..." at the top.
 void write_text(const Cloud& cloud, const std::string& path, const WriteSettings& settings,
                 Task& task);

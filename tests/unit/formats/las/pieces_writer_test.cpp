@@ -73,6 +73,23 @@ TEST_CASE("las_pieces__of_other_steps_or_fields_are_refused_and_no_file_is_left"
   CHECK(folder.entries() == 0);
 }
 
+TEST_CASE("las_pieces__of_no_las_file_have_the_steps_of_the_whole_once_they_are_told_its_bounds") {
+  const Folder folder;
+  Task task;
+  const Cloud cloud = random_points(kPoints, 5);
+  write(cloud, folder.file("whole.las"));
+  const auto sink = las_sink(folder.file("pieces.las"), {}, cloud.size());
+  REQUIRE(sink->asks_for_bounds(part(cloud, 0, 100), task));
+  sink->tell_bounds(bounds(cloud, task));
+  REQUIRE(put_all(cloud, *sink));
+  CHECK(slurp(folder.file("pieces.las")) == slurp(folder.file("whole.las")));
+  const Cloud of_las = read(folder.file("whole.las"));
+  CHECK(!las_sink(folder.file("b.las"), {}, 1)->asks_for_bounds(of_las, task));
+  WriteSettings steps;
+  steps.scale = 0.01;
+  CHECK(las_sink(folder.file("b.las"), steps, 1)->asks_for_bounds(of_las, task));
+}
+
 TEST_CASE("las_pieces__more_than_two_to_the_32_are_of_the_version_that_counts_them") {
   const Folder folder;
   Task task;

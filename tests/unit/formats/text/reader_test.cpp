@@ -3,7 +3,9 @@
 // Points and fields out of lines of numbers: types by the values that stand there, cells in all spellings.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "formats/text/text.h"
@@ -126,4 +128,51 @@ TEST_CASE("text_reader__a_line_that_is_wrong_is_named_after_all_that_is_passed_o
   CHECK(has_text(refused_points("1;2;3;4\n1;2;3;4;\n"), "line 2, column 5: the line has more"));
   CHECK(has_text(refused_points("1;2;3;4\n1;2;3\n"), "line 2, column 4: the line has fewer"));
   CHECK(has_text(refused_points("1;2;3;4\n1;2 3;4;5\n"), "line 2, column 2: this is no number"));
+}
+
+TEST_CASE("text_reader__pieces_have_the_points_and_types_of_the_whole") {
+  // Blocks of a mebibyte: three of them; types that the last line alone decides, and a wide one.
+  std::string text = "# x y z whole late wide nx ny nz\n";
+  constexpr size_t kLines = 60000;
+  for (size_t i = 0; i < kLines; ++i) {
+    const std::string number = std::to_string(i);
+    text += "652000." + number + " 6861000 -" + number + ".5 " + number + " " + number +
+            (i + 1 == kLines ? ".5 " : " ") + std::to_string((1ull << 60) + i) + " 0 0 1\n";
+    if (i % 1000 == 0) text += "# a comment\n\n";
+  }
+  const OpenedFile file(text, "a.txt");
+  Task task;
+  const Cloud whole = read_text(file, {}, task);
+  const auto pieces = pieces_of_text(file, "", task);
+  CHECK(pieces->count() == kLines);
+  REQUIRE(pieces->look_through(task));
+  for (int pass = 0; pass < 2; ++pass, pieces->rewind()) {
+    size_t at = 0, count = 0;
+    for (Cloud piece; pieces->next(1000, piece, task); ++count) {
+      REQUIRE(at + piece.size() <= kLines);
+      CHECK(std::ranges::equal(piece.xyz(), whole.xyz().subspan(3 * at, 3 * piece.size())));
+      for (const ColumnPtr& column : whole.fields) {
+        const Column& found = piece.fields.require(column->info().name);
+        CHECK(found.info().type == column->info().type);
+        const size_t bytes = size_of(column->info().type) * column->info().components;
+        CHECK(std::memcmp(found.raw(), static_cast<const char*>(column->raw()) + at * bytes,
+                          piece.size() * bytes) == 0);
+      }
+      at += piece.size();
+    }
+    CHECK(at == kLines);
+    CHECK(count > 2);
+  }
+}
+
+TEST_CASE("text_reader__pieces_are_none_where_a_coordinate_is_not_finite") {
+  const OpenedFile file("1 2 3\nnan 2 3\n", "a.txt");
+  Task task;
+  CHECK(!pieces_of_text(file, "", task)->look_through(task));
+}
+
+TEST_CASE("text_reader__a_small_file_is_read_whole") {
+  const OpenedFile file("1 2 3\n", "a.txt");
+  Task task;
+  CHECK(text_pieces(file, {}, task) == nullptr);
 }
