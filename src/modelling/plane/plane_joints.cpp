@@ -10,6 +10,7 @@
 #include <span>
 #include <tuple>
 
+#include "geometry/polygon2.h"
 #include "modelling/plane/plane_lines.h"
 #include "modelling/plane/ring_tools.h"
 #include "modelling/plane/vertex_covariance.h"
@@ -23,6 +24,8 @@ constexpr double kLeastCornerSine =
     0.17;                          // 10 degrees: flatter neighbours have no useful intersection
 constexpr double kReachOfGap = 2;  // a corner may move so many gaps
 constexpr double kChordOfSpacing = 0.1;  // of arcs, where only soundness is asked
+// Beside its own line a corner has the rounding of national coordinates at most; no bar is so narrow.
+constexpr double kNoWidth_m = 1e-6;
 
 // A line in the plane.
 struct Line2 {
@@ -76,6 +79,20 @@ bool move_edges(const VectorPlane& plane, std::span<const EdgeJoint> joints, Joi
     out.is_fixed[i] = a != nullptr && b != nullptr;
   }
   return true;
+}
+
+// Two edges of one outline on the same line, as those of a bar that is narrower than the gap, run back over each other:
+// whether they meet is then a matter of rounding.
+bool runs_over_itself(const std::vector<Vec2>& outline) {
+  const size_t n = outline.size();
+  for (size_t i = 0; i < n; ++i)
+    for (size_t e = (i + 1) % n; (e + 1) % n != i; e = (e + 1) % n)
+      if (segment_distance(outline[i], outline[e], outline[(e + 1) % n]) < kNoWidth_m) return true;
+  return false;
+}
+
+bool is_still_sound(const VectorFace& face, double chord_error_m) {
+  return is_sound(face, chord_error_m) && !runs_over_itself(flattened(face.outline, chord_error_m));
 }
 
 // The line lies in this plane exactly; across it, it is as certain as the other plane is.
@@ -216,7 +233,8 @@ std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes,
     const VectorPlane& plane = planes[key.first];
     Joined face{plane.faces[key.second], {}};
     const std::span own(joints.data() + first, end - first);
-    if (move_edges(plane, own, face) && is_sound(face.face, kChordOfSpacing * plane.spacing_m)) {
+    if (move_edges(plane, own, face) &&
+        is_still_sound(face.face, kChordOfSpacing * plane.spacing_m)) {
       tell_source(planes, segments, own, face.face.outline);
       joined.emplace(key, std::move(face));
     }
@@ -237,7 +255,7 @@ std::vector<SharedCorner> join_planes(std::vector<VectorPlane>& planes,
   const std::set<FaceKey> pinched = sharing.pinched();
   for (auto& [key, face] : joined) {
     VectorPlane& plane = planes[key.first];
-    if (!pinched.contains(key) && is_sound(face.face, kChordOfSpacing * plane.spacing_m))
+    if (!pinched.contains(key) && is_still_sound(face.face, kChordOfSpacing * plane.spacing_m))
       plane.faces[key.second] = face.face;
   }
   return shared;

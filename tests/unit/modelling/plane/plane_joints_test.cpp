@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "geometry/polygon2.h"
 #include "modelling/plane/plane_joints.h"
 
 using namespace jalon;
@@ -133,5 +134,30 @@ TEST_CASE("joints: two corners of one outline never become one vertex") {
     const std::vector<Vec3> corners = p.corners(0);
     for (size_t i = 0; i < corners.size(); ++i)
       for (size_t j = 0; j < i; ++j) CHECK(norm(corners[i] - corners[j]) > 1e-6);
+  }
+}
+
+TEST_CASE("joints: a bar narrower than the gap is not folded onto one line") {
+  // Two posts under a bar of 2 cm; a lintel at its top, within the gap of both edges of the bar. Turned, so that
+  // rounding lays the edges on either side of their line.
+  for (int turn = 0; turn < 40; ++turn) {
+    const double lean = 0.0013 * turn;
+    Planes p;
+    p.add({lean, -1, 0.1 * lean}, {0.3, 0.1 * turn, 0}, {0, 0}, {1.4, 2});
+    VectorRing& frame = p.planes[0].faces[0].outline;
+    const Vec2 o = frame.corners[0];
+    frame.corners = {o,
+                     o + Vec2{0.15, 0},
+                     o + Vec2{0.15, 1.98},
+                     o + Vec2{1.25, 1.98},
+                     o + Vec2{1.25, 0},
+                     o + Vec2{1.4, 0},
+                     o + Vec2{1.4, 2},
+                     o + Vec2{0, 2}};
+    frame.edges.resize(frame.corners.size());
+    p.add({0.3 * lean, 0.0007, -1}, {0.3, 0.1 * turn, 1.99}, {-1, -1}, {3, 1});
+    p.join();
+    const std::vector<Vec2>& corners = frame.corners;
+    for (size_t i : {2, 3}) CHECK(segment_distance(corners[i], corners[6], corners[7]) > 0.005);
   }
 }
