@@ -51,8 +51,26 @@ def make_pages(tool, work):
           work / "drive.txt", "--scene-set", "sigma_position_m=1", "--scene-set", "leg_m=60")
     jalon(tool, "adjust", "--viewer-points", 20000, work / "street.obj", work / "drive.ply", work / "drive.txt", "-o",
           work / "adjustment", "--strips-set", "touch_m=2")
+    jalon(tool, "scan", "--scene", "yard", "--method", "sample", "--set", "spacing_m=0.1", "--set", "densities=target=16", "-o",
+          work / "yard.las")
+    jalon(tool, "code", "--method", "survey", "--viewer-points", 100000, work / "yard.las", work / "yard.survey.txt", "-o",
+          work / "coded")
+    make_tunnel(work)
+    jalon(tool, "clearance", "--viewer-points", 20000, work / "tunnel.xyz", "--gauge", work / "gauge.json", "--trajectory",
+          work / "track.txt", "-o", work / "clearance")
     jalon(tool, "scan", "--scene", "facade", "--method", "sample", "--set", "points=2100000", "-o", work / "large.las")
     jalon(tool, "segment", "--viewer-points", 2000000, work / "large.las", "-o", work / "large")
+
+
+def make_tunnel(work):
+    """A tunnel of radius 3 m about the x axis with a bulge, a gauge of two boxes and its way through."""
+    with open(work / "tunnel.xyz", "w") as file:
+        for i in range(401):
+            for k in range(60):
+                radius = 2.0 if (i, k) == (200, 5) else 3.0
+                file.write("%.9f %.9f %.9f\n" % (0.1 * i, radius * math.cos(k * math.pi / 30), radius * math.sin(k * math.pi / 30)))
+    (work / "track.txt").write_text("x y z\n" + "".join("%d 0 0\n" % x for x in (2, 12, 22, 32)))
+    (work / "gauge.json").write_text('{"pieces": [{"type": "box", "size": [2, 3.6, 2.4]}, {"type": "box", "size": [1, 2, 3.4]}]}')
 
 
 def make_patches(tool, work):
@@ -120,7 +138,7 @@ WHITE_FRAME = """(() => {
 
 def looked_at(page, tally, work, pictures):
     for name, points in (("facade", 150000), ("segments", 150000), ("comparison", 150000), ("registration", 150000),
-                         ("adjustment", 20000), ("large", 2000000)):
+                         ("adjustment", 20000), ("coded", 100000), ("clearance", 20000), ("large", 2000000)):
         tally.case(name + ": the view comes", ready(page, work / name / "report.html"))
         shown = page.value("jalonView.points")
         tally.case(name + ": has the points asked for", abs(shown - points) <= 3 or name == "adjustment" and 0 < shown <= points, shown)

@@ -54,7 +54,7 @@ class Chromium:
         if self.session:
             request["sessionId"] = self.session
         os.write(self.out, json.dumps(request).encode() + b"\0")
-        until = time.monotonic() + 120
+        until = time.monotonic() + 600  # a hang: without a graphics card a picture of 2 M points takes a busy machine minutes
         while True:
             message = self.message(until)
             if message.get("id") == self.number:
