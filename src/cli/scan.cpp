@@ -209,7 +209,7 @@ void add_scan(Command& app) {
   command
       .option("--drift-seed", state->drift_seed,
               "Method mobile: of the errors of the trajectory, drawn from its sigmas; points stand "
-              "where they put them; 0: without errors")
+              "where they put them; 0: without errors. Of a scenario: of all that is wrong")
       .shows_default()
       .type_name("N");
   command

@@ -103,6 +103,7 @@ off = lambda m: sum(sum((m[n][i] - true[n][i]) ** 2 for i in (0, 1)) for n in tr
 assert len(true) > 100 and true.keys() == given.keys() == found.keys(), len(true)
 assert off(found) < 0.4 * off(given), (off(given), off(found))'"
 refuses "a scenario without a drive" 2 'method mobile' "$jalon" scan -o none.las --scenario 2
+refuses "a scenario without errors" 2 'has errors' "$jalon" scan --method mobile -o none.las --trajectory none.txt --scenario 2 --drift-seed 0
 refuses "a scenario that is told another scanner" 2 'no --set' "$jalon" scan --method mobile -o none.las --trajectory none.txt --scenario 2 --set pulses=100
 check "adjust tells of a drive with a gap" bash -c "awk 'NR < 3 || \$1 < 5 || \$1 > 10' drive.txt >gap.txt && '$jalon' adjust street.obj drive.ply gap.txt -o gapped --json 2>&1 >/dev/null | grep -q 'no epochs for 5.0. s from 4.99 s on'"
 check "adjust tells that hardly a point is on a wall of a model in feet" bash -c "awk '\$1 == \"v\" { print \"v\", \$2 / 0.3048, \$3 / 0.3048, \$4 / 0.3048; next } 1' street.obj >feet.obj && '$jalon' adjust feet.obj drive.ply drive.txt -o footed --json 2>&1 >/dev/null | grep -q 'in one unit and coordinate system'"

@@ -113,6 +113,7 @@ Params scenario_options(const DriveScan& scan) {
   Params options = make_params("drive_scenario");
   must(jalon_params_set_bool(options.get(), "closed", 1));
   must(jalon_params_set_int64(options.get(), "scenario", scan.scenario));
+  must(jalon_params_set_int64(options.get(), "seed", scan.drift_seed));
   must(jalon_params_set_double(options.get(), "noise_range_m", 0.005));
   scan.street.apply(options.get());
   return options;
@@ -123,7 +124,14 @@ void write_scenario(const DriveScan& scan, Console& console) {
   if (scan.scanner.is_given())
     throw Failure{JALON_ERROR_INVALID_ARGUMENT,
                   "a scenario has its scanner among the parameters of --scene-set: no --set"};
+  if (scan.drift_seed == 0)
+    throw Failure{JALON_ERROR_INVALID_ARGUMENT,
+                  "a scenario has errors: --drift-seed 0 is a drive without"};
+  check_output_file(true_name(scan.trajectory_output));
+  if (!scan.model_output.empty()) check_output_file(true_name(scan.model_output), "model");
   const Params options = scenario_options(scan);
+  int64_t scenario = 0;
+  must(jalon_params_get_int64(options.get(), "scenario", &scenario));
   console.step("scanning");
   Model model, true_model;
   Trajectory trajectory, true_trajectory;
@@ -149,7 +157,7 @@ void write_scenario(const DriveScan& scan, Console& console) {
               scan.output + ", " + scan.trajectory_output + "; the truth -> " +
               true_name(scan.trajectory_output));
   console.result(DriveJson{{"scene", "drive_scenario"},
-                           {"scenario", scan.scenario},
+                           {"scenario", scenario},
                            {"output", scan.output},
                            {"trajectory", scan.trajectory_output},
                            {"points", count_of(cloud)},

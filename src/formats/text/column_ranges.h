@@ -16,12 +16,8 @@ struct ColumnRange {
   double min = std::numeric_limits<double>::infinity(),
          max = -std::numeric_limits<double>::infinity();
   void add(const ParsedNumber& number) {
-    integers = integers && number.integer;
-    wide = wide || number.wide;
-    beyond_signed = beyond_signed || number.beyond_signed;
-    beyond_unsigned = beyond_unsigned || number.beyond_unsigned;
-    min = std::min(min, number.value);
-    max = std::max(max, number.value);
+    *this += {number.integer,         number.wide,  number.beyond_signed,
+              number.beyond_unsigned, number.value, number.value};
   }
   ColumnRange& operator+=(const ColumnRange& b) {
     integers = integers && b.integers;

@@ -50,6 +50,13 @@ double nearest(const std::vector<Vec3>& corners, const Vec3& p) {
   return least;
 }
 
+// A ring of straight edges, its corners told from its first.
+void lay_out(VectorRing& ring, std::vector<Vec2> corners) {
+  for (Vec2& c : corners) c = ring.corners[0] + c;
+  ring.corners = std::move(corners);
+  ring.edges.resize(ring.corners.size());
+}
+
 }  // namespace
 
 TEST_CASE("joints: two walls meet in one edge where their planes do") {
@@ -119,17 +126,8 @@ TEST_CASE("joints: two corners of one outline never become one vertex") {
     Planes p;
     p.add({lean, 0.001, 1}, {0, 0, 3}, {0, 0.01}, {4, 2});
     p.add({0.002, -1, lean}, {0, 0, 0}, {0, 0}, {2.012, 2.99});
-    VectorRing& roof = p.planes[0].faces[0].outline;
-    const Vec2 o = roof.corners[0];
-    roof.corners = {o,
-                    o + Vec2{2.0, 0},
-                    o + Vec2{2.0, 1},
-                    o + Vec2{2.025, 1},
-                    o + Vec2{2.025, 0},
-                    o + Vec2{4, 0},
-                    o + Vec2{4, 2},
-                    o + Vec2{0, 2}};
-    roof.edges.resize(8);
+    lay_out(p.planes[0].faces[0].outline,
+            {{0, 0}, {2.0, 0}, {2.0, 1}, {2.025, 1}, {2.025, 0}, {4, 0}, {4, 2}, {0, 2}});
     const auto shared = p.join();
     const std::vector<Vec3> corners = p.corners(0);
     for (size_t i = 0; i < corners.size(); ++i)
@@ -145,16 +143,8 @@ TEST_CASE("joints: a bar narrower than the gap is not folded onto one line") {
     Planes p;
     p.add({lean, -1, 0.1 * lean}, {0.3, 0.1 * turn, 0}, {0, 0}, {1.4, 2});
     VectorRing& frame = p.planes[0].faces[0].outline;
-    const Vec2 o = frame.corners[0];
-    frame.corners = {o,
-                     o + Vec2{0.15, 0},
-                     o + Vec2{0.15, 1.98},
-                     o + Vec2{1.25, 1.98},
-                     o + Vec2{1.25, 0},
-                     o + Vec2{1.4, 0},
-                     o + Vec2{1.4, 2},
-                     o + Vec2{0, 2}};
-    frame.edges.resize(frame.corners.size());
+    lay_out(frame,
+            {{0, 0}, {0.15, 0}, {0.15, 1.98}, {1.25, 1.98}, {1.25, 0}, {1.4, 0}, {1.4, 2}, {0, 2}});
     p.add({0.3 * lean, 0.0007, -1}, {0.3, 0.1 * turn, 1.99}, {-1, -1}, {3, 1});
     p.join();
     const std::vector<Vec2>& corners = frame.corners;
