@@ -60,9 +60,7 @@ class Grower {
         widened(change, std::max(kWindow * norm(change.max - change.min), kWindowCells * cell_m_));
     for (int k = 0; k <= widenings_; ++k) {
       fill(window, change, seeds_before, seeds_after, out);
-      if (!reaches_edge(before_, out.before, window, cell_m_) &&
-          !reaches_edge(after_, out.after, window, cell_m_))
-        return out;
+      if (!goes_on_beyond(window, out)) return out;
       window =
           widened(window, (kWidening - 1) / 2 * norm(window.max - window.min) / std::sqrt(3.0));
     }
@@ -78,12 +76,18 @@ class Grower {
     both([&](EpochWindow& epoch) { epoch.look(window, task_); });
     out.supports = find_supports(unchanged_sample(), change, tolerance_m_, 0);
     grow_both(seeds_before, seeds_after, out);
-    while (drop_own_faces(out)) grow_both(seeds_before, seeds_after, out);
+    // Without one of its supports an object only grows: what goes on beyond the window will not fit in it.
+    while (!goes_on_beyond(window, out) && drop_own_faces(out))
+      grow_both(seeds_before, seeds_after, out);
+  }
+
+  bool goes_on_beyond(const Box3& window, const ChangedObject& object) const {
+    return reaches_edge(before_, object.before, window, cell_m_) ||
+           reaches_edge(after_, object.after, window, cell_m_);
   }
 
   void grow_both(const Indices& seeds_before, const Indices& seeds_after, ChangedObject& out) {
-    // One after the other, each on all threads: at once they would hold twice as much.
-    for (EpochWindow* epoch : {&in_before_, &in_after_}) epoch->part(out.supports, cell_m_, task_);
+    both([&](EpochWindow& epoch) { epoch.part(out.supports, cell_m_, task_); });
     for (const uint32_t i : seeds_before) in_before_.take(i);
     for (const uint32_t i : seeds_after) in_after_.take(i);
     for (int turn = 0; turn < kTurns; ++turn) {

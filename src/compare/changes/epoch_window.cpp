@@ -5,15 +5,15 @@
 #include <algorithm>
 #include <bit>
 
-#include "base/parallel.h"
+#include "base/error.h"
 #include "spatial/octree/walk.h"
-#include "spatial/voxels/components.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr size_t kWindowGrain = 1 << 14;
+constexpr size_t kWindowGrain = 1 << 14;  // between looks for a cancel
+constexpr uint32_t kHeld = 0xffffffffu;   // by a support: of no voxel
 
 // May a ball about points hold any of the box? Both local.
 bool may_meet(const Box3& box, const Vec3& centre, double radius_m) {
@@ -43,8 +43,7 @@ void EpochWindow::look(const Box3& box, Task& task) {
             is_inside_[i / 64] |= uint64_t{1} << i % 64;
       });
   points_.clear();
-  labels_.clear();
-  states_.clear();
+  voxels_.clear();
   rank_.clear();
   for (size_t w = 0; w < is_inside_.size(); ++w) {
     rank_.push_back(static_cast<uint32_t>(points_.size()));
@@ -55,57 +54,40 @@ void EpochWindow::look(const Box3& box, Task& task) {
 }
 
 void EpochWindow::part(const std::vector<Support>& supports, double cell_m, Task& task) {
-  labels_.assign(points_.size(), 0);
-  parallel_for(task, points_.size(), kWindowGrain, [&](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) {
-      const Vec3 p = epoch_.local(points_[k]);
-      const bool is_held = std::any_of(supports.begin(), supports.end(),
-                                       [&](const Support& s) { return s.holds(p); });
-      labels_[k] = is_held ? 0 : 1;
-    }
-  });
-  const Components pieces =
-      connected_components(free_points(), {}, cell_m, Connectivity3::k26, 1, task);
-  size_t next = 0;
-  for (uint32_t& label : labels_)
-    if (label != 0) label = pieces.labels[next++];
-  states_.assign(pieces.count() + 1, kLeft);
-}
-
-// Its size is known before: a window may hold all points, which a vector that grows would have twice.
-Buffer<double> EpochWindow::free_points() const {
-  Buffer<double> xyz(3 * static_cast<size_t>(std::count(labels_.begin(), labels_.end(), 1u)));
-  double* to = xyz.data();
+  pieces_ = VoxelFlood(cell_m);
+  voxels_.resize(points_.size());
   for (size_t k = 0; k < points_.size(); ++k) {
-    if (labels_[k] == 0) continue;
+    if (k % kWindowGrain == 0 && task.cancelled()) throw Error(Status::kCancelled, "cancelled");
     const Vec3 p = epoch_.local(points_[k]);
-    for (const double coordinate : {p.x, p.y, p.z}) *to++ = coordinate;
+    const bool is_held =
+        std::any_of(supports.begin(), supports.end(), [&](const Support& s) { return s.holds(p); });
+    voxels_[k] = is_held ? kHeld : pieces_.add(p);
   }
-  return xyz;
 }
 
 void EpochWindow::take(uint32_t i) {
   const uint64_t word = is_inside_[i / 64], bit = uint64_t{1} << i % 64;
   if ((word & bit) == 0) return;
   const size_t k = rank_[i / 64] + static_cast<size_t>(std::popcount(word & (bit - 1)));
-  if (labels_[k] != 0 && states_[labels_[k]] == kLeft) states_[labels_[k]] = kTaken;
+  if (voxels_[k] != kHeld) pieces_.take(voxels_[k]);
 }
 
 bool EpochWindow::take_counterparts(EpochWindow& other) {
-  if (std::find(states_.begin(), states_.end(), kTaken) == states_.end()) return false;
+  if (!pieces_.has_new()) return false;
   for (size_t k = 0; k < points_.size(); ++k) {
     const uint32_t i = points_[k];
-    if (states_[labels_[k]] == kTaken && is_unchanged(i) && nearests_[i] != kNoPoint)
+    if (voxels_[k] != kHeld && pieces_.is_new(voxels_[k]) && is_unchanged(i) &&
+        nearests_[i] != kNoPoint)
       other.take(nearests_[i]);
   }
-  std::replace(states_.begin(), states_.end(), kTaken, kWhole);
+  pieces_.settle();
   return true;
 }
 
 std::vector<uint32_t> EpochWindow::whole() const {
   std::vector<uint32_t> out;
   for (size_t k = 0; k < points_.size(); ++k)
-    if (states_[labels_[k]] == kWhole) out.push_back(points_[k]);
+    if (voxels_[k] != kHeld && pieces_.is_settled(voxels_[k])) out.push_back(points_[k]);
   return out;
 }
 

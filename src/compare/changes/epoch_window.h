@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "base/buffer.h"
 #include "compare/changes/change_objects.h"
+#include "spatial/voxels/voxel_flood.h"
 
 namespace jalon {
 
@@ -25,7 +25,7 @@ class EpochWindow {
     for (const uint32_t i : points_)
       if (is_unchanged(i)) f(epoch_.local(i));
   }
-  /// Pieces of what no support holds; none is taken.
+  /// Pieces of what no support holds; none is taken. On one thread.
   void part(const std::vector<Support>& supports, double cell_m, Task& task);
 
   /// Takes the piece of a point of the cloud; of one outside the window or on a support there is none.
@@ -37,15 +37,10 @@ class EpochWindow {
   std::vector<uint32_t> whole() const;
 
  private:
-  enum PieceState : uint8_t { kLeft, kTaken, kWhole };
-
   bool is_unchanged(uint32_t i) const {
     return statuses_[i] == static_cast<uint8_t>(CompareStatus::kCompared) &&
            epoch_.regions.changed[i] == 0;
   }
-
-  /// Local coordinates of those that no support holds, by labels_ of 1.
-  Buffer<double> free_points() const;
 
   const Epoch& epoch_;
   std::span<const uint8_t> statuses_;
@@ -53,8 +48,8 @@ class EpochWindow {
   std::vector<uint32_t> points_;     ///< of the cloud, ascending
   std::vector<uint64_t> is_inside_;  ///< one bit a point of the cloud
   std::vector<uint32_t> rank_;       ///< points inside before each 64 of the cloud
-  std::vector<uint32_t> labels_;     ///< of their pieces; 0: on a support
-  std::vector<PieceState> states_;   ///< by label
+  std::vector<uint32_t> voxels_;     ///< of pieces_, where they lie; kHeld: on a support
+  VoxelFlood pieces_{1};
 };
 
 }  // namespace jalon

@@ -6,8 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "base/parallel.h"
 #include "geometry/plane.h"
+#include "spatial/neighbours/knn_of_some.h"
 
 namespace jalon {
 
@@ -17,18 +17,17 @@ namespace {
 constexpr uint32_t kCorePoints = 32;
 // Neighbourhoods overlap by half, so that none of a change's edge is lost between two.
 constexpr size_t kCoreStride = 16;
-constexpr size_t kCoreGrain = 64;  // about 1 ms
 // Scatter over radius: less on a plane with noise and on a gentle curve, more across edges and in leaves.
 constexpr double kSmooth = 0.15;
 constexpr double kNoiseQuantile =
     0.75;  // surfaces that rays graze scatter less than the range does
 
 // Least squares of the heights over the plane, by the squares of the distances from the centroid.
-void measure_curving(const Cloud& cloud, std::span<const Neighbour> points, const Vec3& centroid,
+void measure_curving(const Cloud& cloud, std::span<const uint32_t> points, const Vec3& centroid,
                      SurfaceCore& core) {
   double products = 0, squares = 0, heights2 = 0;
-  for (const Neighbour& neighbour : points) {
-    const Vec3 d = cloud.point(neighbour.index) - centroid;
+  for (const uint32_t neighbour : points) {
+    const Vec3 d = cloud.point(neighbour) - centroid;
     const double height = dot(core.normal, d), u = dot(core.axis_u, d), v = dot(core.axis_v, d);
     const double more = u * u + v * v - core.spread2();
     products += height * more;
@@ -46,28 +45,29 @@ void measure_curving(const Cloud& cloud, std::span<const Neighbour> points, cons
 
 // Does the slope across the longer axis hang on one point? Of a row with a point of another surface beside it, whose
 // plane turns about the row as that point has it (leverage: Belsley, Kuh & Welsch 1980, 2.1).
-bool hangs_on_one(const Cloud& cloud, std::span<const Neighbour> points, const Vec3& centroid,
+bool hangs_on_one(const Cloud& cloud, std::span<const uint32_t> points, const Vec3& centroid,
                   const SurfaceCore& core) {
   constexpr double kMostLeverage = 0.5;  // of 32 points about a place the farthest has 0.15
   double most2 = 0;
-  for (const Neighbour& neighbour : points) {
-    const double v = dot(core.axis_v, cloud.point(neighbour.index) - centroid);
+  for (const uint32_t neighbour : points) {
+    const double v = dot(core.axis_v, cloud.point(neighbour) - centroid);
     most2 = std::max(most2, v * v);
   }
   return most2 > kMostLeverage * core.spread_v2 * core.count;
 }
 
-SurfaceCore core_at(const Cloud& cloud, const Octree& tree, uint32_t point, const Vec3& origin) {
-  std::array<Neighbour, kCorePoints> found;
+// points: the nearest of a point, itself among them.
+SurfaceCore core_at(const Cloud& cloud, uint32_t point, std::span<const uint32_t> points,
+                    const Vec3& origin) {
   const Vec3 place = cloud.point(point);
-  const size_t n = tree.knn(place, kCorePoints, found);
+  const size_t n = points.size();
   SurfaceCore out;
   out.point = point;
   out.count = static_cast<uint32_t>(n);
-  out.radius_m = std::sqrt(found[n - 1].squared_distance);
+  out.radius_m = norm(cloud.point(points.back()) - place);
   Moments moments;
   moments.reference = place;
-  for (size_t k = 0; k < n; ++k) moments.add(cloud.point(found[k].index));
+  for (const uint32_t neighbour : points) moments.add(cloud.point(neighbour));
   out.centroid = moments.centroid() - origin;
   const Eigen3 axes = symmetric_eigen(moments.covariance());
   // Points on a line span no plane.
@@ -83,7 +83,6 @@ SurfaceCore core_at(const Cloud& cloud, const Octree& tree, uint32_t point, cons
   out.sigma_m = std::sqrt(std::max(0.0, axes.values[0]) * count / (count - 3));
   out.spread_v2 = axes.values[1];
   out.spread_u2 = axes.values[2];
-  const auto points = std::span(found).first(n);
   if (n == kCorePoints && hangs_on_one(cloud, points, moments.centroid(), out)) out.count = 0;
   measure_curving(cloud, points, moments.centroid(), out);
   return out;
@@ -102,14 +101,25 @@ SurfaceCores::SurfaceCores(const Cloud& cloud, const Vec3& origin, Task& task) :
   const size_t n = (cloud.size() + kCoreStride - 1) / kCoreStride;
   cores_.resize(n);
   xyz_ = Buffer<double>(3 * n);
-  parallel_for(task, n, kCoreGrain, [&](size_t begin, size_t end) {
-    for (size_t k = begin; k < end; ++k) {
-      const size_t at = std::min(kCoreStride * k + kCoreStride / 2, cloud.size() - 1);
-      cores_[k] = core_at(cloud, *points_, points_->order()[at], origin);
-      const Vec3 p = cloud.point(cores_[k].point);
+  const auto order = points_->order();
+  auto add_cores = [&](const SomeNearest& of) {
+    std::array<uint32_t, kCorePoints> near;
+    for (size_t i = 0; i < of.count; ++i) {
+      const uint32_t* found = of.neighbours + i * kCorePoints;
+      size_t count = 0;
+      while (count < kCorePoints && found[count] != kNoPoint) {
+        near[count] = order[found[count]];
+        ++count;
+      }
+      const size_t k = of.number + i;
+      const uint32_t point = order[of.positions[i]];
+      cores_[k] = core_at(cloud, point, std::span(near).first(count), origin);
+      const Vec3 p = cloud.point(point);
       for (int c = 0; c < 3; ++c) xyz_.data()[3 * k + static_cast<size_t>(c)] = p[c];
     }
-  });
+  };
+  for_each_nearest_of_some(*points_, {kCoreStride / 2, kCoreStride, n}, kCorePoints, task,
+                           add_cores);
   Box3 box;
   for (size_t k = 0; k < n; ++k)
     box.add({xyz_.data()[3 * k], xyz_.data()[3 * k + 1], xyz_.data()[3 * k + 2]});
