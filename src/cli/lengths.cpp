@@ -17,13 +17,19 @@ double diagonal(const jalon_box& box) {
   return std::hypot(box.max.x - box.min.x, box.max.y - box.min.y, box.max.z - box.min.z);
 }
 
+// Lengths of E57 are in metres (ASTM E2807).
+bool is_in_metres(const std::string& path) {
+  return path.ends_with(".e57") || path.ends_with(".E57");
+}
+
 }  // namespace
 
 Lengths Lengths::of(const Input& input, const Cloud& cloud) {
   const char* crs = "";
   must(jalon_cloud_crs(cloud.get(), &crs));
   Lengths out;
-  if (*crs == '\0' && input.unit.empty()) out.files_ = input.path, out.options_ = input.unit_option;
+  if (*crs == '\0' && input.unit.empty() && !is_in_metres(input.path))
+    out.files_ = input.path, out.options_ = input.unit_option;
   return out;
 }
 

@@ -195,6 +195,9 @@ says 'size .* 3\.[0-9]+ units$' info wall.xyz
 says 'lengths are in the units of wall.xyz, not named there and taken for metres; --unit names them' info wall.xyz
 says 'size .* m$' info wall.xyz --unit m
 lacks 'units' info wall.xyz --unit m
+judge "a cloud without a reference system becomes an E57 file" "$jalon" convert wall.xyz wall.e57
+lacks 'units' info wall.e57
+says 'size .* 3\.[0-9]+ m$' info wall.e57
 says 'size       4\.[0-9]+ x 0\.0[0-9]+ x 3' info wall_mm.xyz --unit mm
 lacks ' mm| m2' segment wall.xyz -o seg
 says 'area m2   sigma mm' segment wall_mm.xyz -o seg_mm --unit mm
