@@ -42,11 +42,23 @@ Cloud within_box(Cloud cloud, const ReadSettings& settings, Task& task) {
 }
 
 const Station& station_told(const Cloud& cloud, const std::string& told, const std::string& path) {
-  std::string names;
+  std::string names, numbers;
+  const Station* named = nullptr;
+  int named_so = 0, last = 0, place = 0;
   for (const Station& station : cloud.stations) {
-    if (station.name.str() == told) return station;
+    ++place;
     names += (names.empty() ? "" : ", ") + station.name.str();
+    if (station.name.str() != told) continue;
+    if (named_so++ > 0) numbers += (numbers.empty() ? "" : ", ") + std::to_string(last);
+    named = &station;
+    last = place;
   }
+  if (named_so == 1) return *named;
+  // Files that were joined: the points of one of them would be lost without a word.
+  if (named_so > 1)
+    fail(Status::kInvalidArgument,
+         "%.400s: %d stations are named \"%.200s\": their numbers tell them apart, %.600s or %d",
+         path.c_str(), named_so, told.c_str(), numbers.c_str(), last);
   int64_t number = 0;
   if (parse_integer(told, number) && number >= 1 &&
       static_cast<uint64_t>(number) <= cloud.stations.size())

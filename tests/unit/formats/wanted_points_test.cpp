@@ -160,6 +160,23 @@ TEST_CASE("wanted_points__of_one_station_are_its_points_with_its_pose") {
   CHECK(has_text(failure_of([&] { read(folder.file("a.las"), first); }).text, "have none"));
 }
 
+TEST_CASE("wanted_points__of_stations_with_one_name_are_told_by_their_numbers") {
+  Cloud cloud = two_stations();
+  cloud.stations[0].name = "east";
+  const Folder folder;
+  const std::string path = folder.file("a.las");
+  write(cloud, path);
+  ReadSettings settings;
+  settings.station = "east";
+  const Failure failure = failure_of([&] { read(path, settings); });
+  CHECK(failure.status == Status::kInvalidArgument);
+  CHECK_MESSAGE(has_text(failure.text, path + ": 2 stations are named \"east\": their numbers tell "
+                                              "them apart, 1 or 2"),
+                failure.text);
+  settings.station = "2";
+  CHECK(read(path, settings).size() == 11);
+}
+
 TEST_CASE("wanted_points__the_box_comes_before_the_number_and_both_before_the_fields") {
   const Folder folder;
   const Cloud cloud = numbered(2000);
