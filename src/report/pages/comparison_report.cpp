@@ -161,11 +161,12 @@ void add_more(Page& page, const Comparison& comparison) {
     if (is_landslide(comparison) && is_told_of_landslide(info.name)) continue;
     const bool in_mm = info.unit == "m";
     const double value = column->number(0);
-    pairs.emplace_back(
-        info.meaning.empty() ? info.name : info.name + ": " + info.meaning,
-        is_floating(info.type)
-            ? (in_mm ? told_mm(value) + " mm" : told_number(value, 4) + " " + info.unit)
-            : grouped(static_cast<uint64_t>(std::max(0.0, value))));
+    // Of a bare number the unit is 1, which beside it would read as a digit.
+    const std::string unit = info.unit.empty() || info.unit == "1" ? "" : " " + info.unit;
+    pairs.emplace_back(info.meaning.empty() ? info.name : info.name + ": " + info.meaning,
+                       is_floating(info.type)
+                           ? (in_mm ? told_mm(value) + " mm" : told_number(value, 4) + unit)
+                           : grouped(static_cast<uint64_t>(std::max(0.0, value))));
   }
   if (pairs.empty()) return;
   page.heading("Precision and detection");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/json_writer.h"
+#include "report/sheet/svg_parts.h"
 #include "report/viewer/packing.h"
 #include "report/viewer/script.h"
 
@@ -166,7 +167,7 @@ void add_viewer(Page& page, const ViewScene& scene, int64_t most_points, Task& t
   html.element("p", {{"id", "view-told"}, {"class", "note"}, {"aria-live", "polite"}}, "");
   html.element("noscript", {}, "The view needs JavaScript; the pictures show the same.");
   if (shown < points)
-    page.note(std::to_string(shown) + " of " + std::to_string(points) +
+    page.note(grouped(shown) + " of " + grouped(points) +
               " points, evenly taken. A link to this page keeps the view.");
   // As raw text: what stands between the tags is hashed to the byte.
   html.raw("<script type=\"application/json\" id=\"view-scene\">" +
