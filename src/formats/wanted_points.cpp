@@ -38,6 +38,7 @@ std::vector<WantedField> fields_of(const std::string& text) {
 Cloud within_box(Cloud cloud, const ReadSettings& settings, Task& task) {
   if (settings.box.empty()) return cloud;
   const std::vector<uint8_t> mask = inside_box(cloud, settings.box_m(), Transform{}, task);
+  if (std::ranges::find(mask, 0) == mask.end()) return cloud;
   return select_mask(cloud, mask, 1, task);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 
@@ -12,9 +13,11 @@
 #include "formats/files/finish_cloud.h"
 #include "formats/las/copc.h"
 #include "formats/las/fields.h"
+#include "formats/las/kept_records.h"
 #include "formats/las/las.h"
 #include "formats/las/laz.h"
 #include "formats/las/layout.h"
+#include "formats/las/point_sink.h"
 #include "formats/las/stations.h"
 #include "formats/units/file_unit.h"
 #include "formats/wanted_points.h"
@@ -28,89 +31,6 @@ using namespace las;
 constexpr size_t kReaderGrain = size_t{1} << 16;  // points a chunk: some milliseconds
 constexpr size_t kBlockBytes =
     size_t{96} << 10;  // read at once: stays in the cache, and below the allocator's mmap limit
-
-/// Copies one dimension of a block of records into its column.
-struct Extraction {
-  std::shared_ptr<Column> column;
-  size_t offset = 0;
-  int shift = 0, bits = 0;
-  ElementType stored = ElementType::kUint8;
-  double factor = 1;
-  const double* scale = nullptr;  ///< of a scaled extra dimension, one a component
-  const double* move = nullptr;
-  void (*run)(const Extraction&, const std::byte* records, size_t stride, size_t n,
-              size_t first) = nullptr;
-};
-
-template <class T>
-void copy_whole(const Extraction& e, const std::byte* records, size_t stride, size_t n,
-                size_t first) {
-  T* out = static_cast<T*>(e.column->raw()) + first;
-  const std::byte* from = records + e.offset;
-  for (size_t i = 0; i < n; ++i) out[i] = load<T>(from + i * stride);
-}
-
-void copy_bits(const Extraction& e, const std::byte* records, size_t stride, size_t n,
-               size_t first) {
-  auto* out = static_cast<uint8_t*>(e.column->raw()) + first;
-  const std::byte* from = records + e.offset;
-  const unsigned mask = (1u << e.bits) - 1;
-  for (size_t i = 0; i < n; ++i)
-    out[i] = static_cast<uint8_t>((static_cast<unsigned>(from[i * stride]) >> e.shift) & mask);
-}
-
-template <class T>
-void copy_angle(const Extraction& e, const std::byte* records, size_t stride, size_t n,
-                size_t first) {
-  auto* out = static_cast<float*>(e.column->raw()) + first;
-  const std::byte* from = records + e.offset;
-  for (size_t i = 0; i < n; ++i) out[i] = static_cast<float>(load<T>(from + i * stride) * e.factor);
-}
-
-// Several components, or a scaled dimension.
-template <class T>
-void copy_components(const Extraction& e, const std::byte* records, size_t stride, size_t n,
-                     size_t first) {
-  const size_t components = e.column->info().components;
-  for (size_t i = 0; i < n; ++i)
-    for (size_t c = 0; c < components; ++c) {
-      const T raw = load<T>(records + i * stride + e.offset + c * sizeof(T));
-      const size_t at = (first + i) * components + c;
-      if (e.scale != nullptr)
-        static_cast<double*>(e.column->raw())[at] =
-            static_cast<double>(raw) * e.scale[c] + e.move[c];
-      else static_cast<T*>(e.column->raw())[at] = raw;
-    }
-}
-
-Extraction extraction_of(const Dimension& dimension, size_t count) {
-  Extraction e;
-  e.column = std::make_shared<Column>(dimension.field, count);
-  e.offset = static_cast<size_t>(dimension.place.offset);
-  e.shift = dimension.place.shift;
-  e.bits = dimension.place.bits;
-  e.factor = dimension.place.factor;
-  if (e.bits != 0) e.run = copy_bits;
-  else if (dimension.field.type != dimension.place.type)
-    e.run = dimension.place.type == ElementType::kInt8 ? copy_angle<int8_t> : copy_angle<int16_t>;
-  else e.run = visit(dimension.place.type, [](auto zero) { return &copy_whole<decltype(zero)>; });
-  return e;
-}
-
-Extraction extraction_of(const ExtraDimension& dimension, size_t extra_offset, size_t count) {
-  Extraction e;
-  e.column = std::make_shared<Column>(dimension.field, count);
-  e.offset = extra_offset + dimension.offset;
-  if (dimension.scaled) {
-    e.scale = dimension.scale;
-    e.move = dimension.shift;
-  }
-  const bool plain = !dimension.scaled && dimension.field.components == 1;
-  e.run = visit(dimension.raw_type, [&](auto zero) {
-    return plain ? &copy_whole<decltype(zero)> : &copy_components<decltype(zero)>;
-  });
-  return e;
-}
 
 // The unit that the user gave, or that the CRS says.
 LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Record>& evlrs,
@@ -130,35 +50,14 @@ LengthUnits units_to_use(const std::vector<Record>& vlrs, const std::vector<Reco
   return units;
 }
 
-/// Puts records into the cloud's arrays.
-struct PointSink {
-  const Header& header;
-  Vec3 unit;
-  std::span<double> xyz;
-  const std::vector<Extraction>& extractions;
-
-  void put(const std::byte* records, size_t n, size_t first) const {
-    const size_t stride = header.record_bytes;
-    double* out = xyz.data() + 3 * first;
-    for (size_t i = 0; i < n; ++i) {
-      const std::byte* p = records + i * stride;
-      out[3 * i] = (load<int32_t>(p) * header.scale.x + header.offset.x) * unit.x;
-      out[3 * i + 1] = (load<int32_t>(p + 4) * header.scale.y + header.offset.y) * unit.y;
-      out[3 * i + 2] = (load<int32_t>(p + 8) * header.scale.z + header.offset.z) * unit.z;
-    }
-    for (const Extraction& e : extractions) e.run(e, records, stride, n, first);
-  }
-};
-
 /// Points of a file one behind the other: of LAS any, of LAZ those of whole chunks.
 struct PointRun {
   size_t first = 0, count = 0;
   size_t first_chunk = 0, chunks = 0;
 };
 
-void decode_points(const ByteSource& source, const PointSink& sink, const PointRun& run,
-                   Task& task) {
-  const Header& header = sink.header;
+void decode_points(const ByteSource& source, PointSink& sink, const PointRun& run, Task& task) {
+  const Header& header = sink.header();
   const size_t stride = header.record_bytes;
   const size_t block = std::max<size_t>(1, kBlockBytes / stride);
   parallel_for(task, run.count, kReaderGrain, [&](size_t begin, size_t end) {
@@ -173,8 +72,7 @@ void decode_points(const ByteSource& source, const PointSink& sink, const PointR
   });
 }
 
-void decompress_points(const LazPoints& laz, const PointSink& sink, const PointRun& run,
-                       Task& task) {
+void decompress_points(const LazPoints& laz, PointSink& sink, const PointRun& run, Task& task) {
   parallel_chunks(task, run.chunks, [&](size_t k) {
     const size_t c = run.first_chunk + k;
     if (laz.points(c) != 0)
@@ -241,9 +139,9 @@ struct LasReading : LasFrame {
       laz.emplace(packed_points(source, header, vlrs, unit, settings, task));
       laz->require_points(task);
     }
-    core = point_format(header.format)->bytes;
     standard = dimensions(header.format);
-    extra = extra_dimensions(vlrs, evlrs, header.record_bytes - core, task);
+    extra = extra_dimensions(vlrs, evlrs, header.record_bytes - point_format(header.format)->bytes,
+                             task);
     for (ExtraDimension& dimension : extra)
       dimension.field.name = field_of_exact(header.format, dimension.field.name);
     leave_out(settings);
@@ -277,33 +175,49 @@ struct LasReading : LasFrame {
     return run;
   }
 
-  /// With its fields and CRS.
   Cloud points(const PointRun& run, Task& task) const {
-    std::vector<Extraction> extractions;
-    for (const Dimension& dimension : standard)
-      extractions.push_back(extraction_of(dimension, run.count));
-    for (const ExtraDimension& dimension : extra)
-      extractions.push_back(extraction_of(dimension, core, run.count));
-    Buffer<double> xyz(3 * run.count);
-    {
+    return filled_cloud(run.count, [&](PointSink& sink) {
       ProgressSpan span(task, 0, 0.95, "reading LAS");
-      const PointSink sink{header, unit, xyz, extractions};
       if (laz) decompress_points(*laz, sink, run, task);
       else decode_points(source, sink, run, task);
+    });
+  }
+
+  /// Of a compressed file those in the box, and those that are nowhere, which are told of later.
+  Cloud points_within(const Box3& box_m, Task& task) const {
+    const auto is_kept = [&](const std::byte* record) {
+      const Vec3 p = place_of(header, unit, record);
+      return box_m.contains(p) || !std::isfinite(p.x + p.y + p.z);
+    };
+    std::optional<KeptRecords> kept;
+    {
+      ProgressSpan span(task, 0, 0.8, "reading LAS");
+      kept.emplace(*laz, header.record_bytes, is_kept, task);
     }
-    Cloud cloud = make_cloud(std::move(xyz));
-    for (Extraction& e : extractions)
-      cloud.fields.set(
-          std::move(e.column));  // an extra dimension replaces the standard one of its name
-    cloud.crs = crs;
-    return cloud;
+    ProgressSpan span(task, 0.8, 0.95, "reading LAS");
+    return filled_cloud(kept->count(), [&](PointSink& sink) {
+      kept->give(
+          [&](const std::byte* records, size_t n, size_t first) { sink.put(records, n, first); },
+          task);
+    });
   }
 
   const ByteSource& source;
   const std::string crs;
   Vec3 unit;  ///< metres
   std::optional<LazPoints> laz;
-  size_t core = 0;  ///< bytes of a record before the extra ones
+
+ private:
+  /// With its fields and CRS.
+  template <class Fill>
+  Cloud filled_cloud(size_t count, Fill&& fill) const {
+    PointSink sink(header, unit, standard, extra, count);
+    fill(sink);
+    Cloud cloud = sink.cloud();
+    cloud.crs = crs;
+    return cloud;
+  }
+
   std::vector<Dimension> standard;
   std::vector<ExtraDimension> extra;
 };
@@ -366,7 +280,10 @@ bool is_copc(const ByteSource& source) {
 
 Cloud read_las(const ByteSource& source, const ReadSettings& settings, Task& task) {
   LasReading file(source, LasFrame(source, task), settings, task);
-  Cloud cloud = file.points(file.whole(), task);
+  // Stations tell of all points of their own.
+  const bool keeps_box = is_copc(source) && !settings.box.empty() && !file.tells_stations();
+  Cloud cloud =
+      keeps_box ? file.points_within(settings.box_m(), task) : file.points(file.whole(), task);
   cloud = with_stations(std::move(cloud), file.vlrs, file.evlrs, file.unit, source.path(), task);
   cloud.attachments = attachments_of(file.header, std::move(file.vlrs), std::move(file.evlrs));
   return finish_cloud(std::move(cloud), source, settings.drop_invalid, task);
