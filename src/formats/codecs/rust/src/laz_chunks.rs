@@ -4,7 +4,7 @@
 //! LAZ read: the record of the compressor, the table of chunks, one chunk from memory to memory. All the
 //! reading of files and all threads are the caller's.
 
-use crate::{guarded, silence_panics, Message};
+use crate::{guarded, layered, sequential, silence_panics, Message};
 use laz::laszip::{ChunkTable, CompressorType};
 use laz::record::{
     LayeredPointRecordDecompressor, RecordDecompressor, SequentialPointRecordDecompressor,
@@ -166,15 +166,65 @@ enum Wanted<'a> {
     Count(u64),
 }
 
-fn decode(vlr: &LazVlr, packed: &[u8], wanted: Wanted) -> Result<(), String> {
+fn decode(vlr: &LazVlr, packed: &[u8], mut wanted: Wanted) -> Result<(), String> {
     let record_bytes = record_bytes_of(vlr);
-    let cursor = Cursor::new(packed);
-    if vlr.items()[0].version() >= 3 {
+    let is_layered = vlr.items()[0].version() >= 3;
+    if is_layered {
         check_layers(vlr, packed, record_bytes)?;
+    }
+    if let Wanted::Records(out) = &mut wanted {
+        if let Some(done) = decode_usual(vlr, packed, out) {
+            return done;
+        }
+    }
+    let cursor = Cursor::new(packed);
+    if is_layered {
         run(LayeredPointRecordDecompressor::new(cursor), vlr, record_bytes, wanted)
     } else {
         run(SequentialPointRecordDecompressor::new(cursor), vlr, record_bytes, wanted)
     }
+}
+
+/// By our own decoders, which are faster; none where they do not know the items.
+fn decode_usual(vlr: &LazVlr, packed: &[u8], out: &mut [u8]) -> Option<Result<(), String>> {
+    let version = vlr.items()[0].version();
+    let mut kinds = vlr.items().iter().map(|item| item.item_type()).peekable();
+    if vlr.items().iter().any(|item| item.version() != version) {
+        return None;
+    }
+    let mut has = |wanted: LazItemType| kinds.next_if_eq(&wanted).is_some();
+    let is_whole = if version == 2 && has(LazItemType::Point10) {
+        let has_time = has(LazItemType::GpsTime);
+        let has_colour = has(LazItemType::RGB12);
+        let extra_bytes = match kinds.next() {
+            Some(LazItemType::Byte(count)) => usize::from(count),
+            Some(_) => return None,
+            None => 0,
+        };
+        let items = sequential::Items { has_time, has_colour, extra_bytes };
+        if kinds.next().is_some() || items.record_bytes() != record_bytes_of(vlr) {
+            return None;
+        }
+        sequential::decode(packed, &items, out)
+    } else if matches!(version, 3 | 4) && has(LazItemType::Point14) {
+        let has_colour = has(LazItemType::RGB14);
+        let extra_bytes = match kinds.next() {
+            Some(LazItemType::Byte14(count)) => usize::from(count),
+            Some(_) => return None,
+            None => 0,
+        };
+        let items = layered::Items { has_colour, extra_bytes };
+        if kinds.next().is_some() || items.record_bytes() != record_bytes_of(vlr) {
+            return None;
+        }
+        match layered::decode(packed, &items, out) {
+            layered::Decoded::OfSeveralChannels => return None,
+            decoded => matches!(decoded, layered::Decoded::Whole),
+        }
+    } else {
+        return None;
+    };
+    Some(if is_whole { Ok(()) } else { Err("it ends before its points".to_owned()) })
 }
 
 fn run<'a>(

@@ -3,11 +3,15 @@
 
 //! The functions of ../codecs.h. Nothing unwinds into C: every entry goes through `guarded`.
 
+mod coder;
 mod e57_scans;
 mod e57_writing;
+mod layered;
 mod laz_chunks;
 mod laz_packing;
+mod numbers;
 mod reserve;
+mod sequential;
 
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
