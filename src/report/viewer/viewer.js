@@ -17,39 +17,43 @@ if (!gl || !window.DecompressionStream) {
 
 // ---- points: two planes of bytes a number, differences of neighbours, zigzag
 const hex = (text) => [1, 3, 5].map((i) => parseInt(text.slice(i, i + 2), 16));
-const unpack = async (i) => {
-  const text = $("data-" + i).textContent, words = new DataView(new ArrayBuffer(text.length / 5 * 4));
-  for (let k = 0, at = 0; at < text.length; k += 4) {
-    let word = 0;
-    for (const end = at + 5; at < end; at++) {
-      const c = text.charCodeAt(at);
-      word = word * 85 + c - (c < 60 ? 36 : 37);
-    }
-    words.setUint32(k, word);
-  }
-  const bytes = new Uint8Array(words.buffer, 0, scene.clouds[i].bytes);
-  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+const digit = Uint8Array.from({length: 128}, (_, c) => c < 60 ? c - 36 : c - 37);
+const inflate = async (packed) => {
+  const stream = new DecompressionStream("deflate"), writer = stream.writable.getWriter(), reader = stream.readable.getReader();
+  writer.write(packed);
+  writer.close();
+  const parts = [];
+  let size = 0;
+  for (let part; !(part = await reader.read()).done; size += part.value.length) parts.push(part.value);
+  const out = new Uint8Array(size);
+  size = 0;
+  for (const part of parts) { out.set(part, size); size += part.length; }
+  return out;
+};
+const unpack = (i) => {
+  const text = new TextEncoder().encode($("data-" + i).textContent), words = new DataView(new ArrayBuffer(text.length / 5 * 4));
+  for (let k = 0, at = 0; at < text.length; k += 4, at += 5)
+    words.setUint32(k, (((digit[text[at]] * 85 + digit[text[at + 1]]) * 85 + digit[text[at + 2]]) * 85 + digit[text[at + 3]]) * 85
+      + digit[text[at + 4]]);
+  return inflate(new Uint8Array(words.buffer, 0, scene.clouds[i].bytes));
 };
 const clouds = [];
 for (let i = 0; i < scene.clouds.length; i++) {
   const cloud = Object.assign({shown: true}, scene.clouds[i]), n = cloud.n, raw = await unpack(i);
   let at = 0;
-  const numbers = (bytes, plain) => {
-    const out = new Uint16Array(n), mask = bytes > 1 ? 65535 : 255, low = at, high = at + n;
-    for (let k = 0, v = 0; k < n; k++) {
-      const z = bytes > 1 ? raw[low + k] | raw[high + k] << 8 : raw[low + k];
-      v = (plain ? 0 : v) + ((z >>> 1) ^ -(z & 1)) & mask;
-      out[k] = v;
+  // To every stride-th place of out.
+  const read = (out, stride, first, bytes, plain) => {
+    const low = raw.subarray(at, at += n), high = bytes > 1 ? raw.subarray(at, at += n) : null, kept = plain ? 0 : -1;
+    for (let k = 0, to = first, v = 0; k < n; k++, to += stride) {
+      const z = high ? low[k] | high[k] << 8 : low[k];
+      v = (v & kept) + (z >>> 1 ^ -(z & 1));
+      out[to] = high ? v : v & 255;
     }
-    at += bytes * n;
     return out;
   };
+  const numbers = (bytes, plain) => read(new Uint16Array(n), 1, 0, bytes, plain);
   cloud.q = new Uint16Array(4 * n);
-  for (let a = 0; a < 3; a++) {
-    const v = numbers(2);
-    for (let k = 0; k < n; k++) cloud.q[4 * k + a] = v[k];
-  }
+  for (let a = 0; a < 3; a++) read(cloud.q, 4, a, 2);
   for (const c of cloud.channels) {
     if (c.kind == "rgb") c.v = [numbers(1), numbers(1), numbers(1)];
     else if (c.kind == "label") c.v = numbers(2);
