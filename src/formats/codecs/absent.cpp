@@ -26,6 +26,10 @@ int32_t jc_laz_decode(const uint8_t*, uint64_t, const uint8_t*, uint64_t, uint8_
                       JcMessage) {
   return 1;
 }
+int32_t jc_laz_decode_within(const uint8_t*, uint64_t, const uint8_t*, uint64_t, const int32_t*,
+                             uint8_t*, uint64_t, uint64_t*, JcMessage) {
+  return 1;
+}
 void jc_bytes_free(JcBytes) {}
 int32_t jc_laz_record(uint8_t, uint16_t, uint32_t, JcBytes*, JcMessage) { return 1; }
 int32_t jc_laz_encode(const uint8_t*, uint64_t, const uint8_t*, uint64_t, JcBytes*, JcMessage) {

@@ -7,8 +7,9 @@
 #include <new>
 #include <string>
 
-// LAZ and E57 read and written by the crates "laz" and "e57" (rust/), an optional component: where it was
-// not built absent.cpp stands in. All files are read and all threads are run by the callers.
+// LAZ and E57 read and written by the crates "laz" and "e57" (rust/), chunks of the usual point formats by decoders of
+// our own beside them, an optional component: where it was not built absent.cpp stands in. All files are read and all
+// threads are run by the callers.
 namespace jalon {
 
 /// Whether the component was built.
@@ -49,6 +50,11 @@ int32_t jc_laz_check(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* pack
 /// One chunk: fills out with whole records.
 int32_t jc_laz_decode(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* packed,
                       uint64_t packed_bytes, uint8_t* out, uint64_t out_bytes, JcMessage message);
+/// The same, but records behind the last one between the steps (least x, y, z, most x, y, z) need not be there: so many
+/// are to be looked at.
+int32_t jc_laz_decode_within(const uint8_t* vlr, uint64_t vlr_bytes, const uint8_t* packed,
+                             uint64_t packed_bytes, const int32_t* steps, uint8_t* out,
+                             uint64_t out_bytes, uint64_t* records, JcMessage message);
 
 /// Bytes that jc_bytes_free() takes back.
 struct JcBytes {

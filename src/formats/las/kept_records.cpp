@@ -28,15 +28,16 @@ size_t moved_to_front(std::byte* records, size_t count, size_t record_bytes,
 
 }  // namespace
 
-KeptRecords::KeptRecords(const LazPoints& laz, size_t record_bytes,
+KeptRecords::KeptRecords(const LazPoints& laz, size_t record_bytes, const StepBox& steps,
                          const std::function<bool(const std::byte*)>& is_kept, Task& task)
     : record_bytes_(record_bytes),
       slab_bytes_(std::min<uint64_t>(kSlabBytes, laz.count() * record_bytes)),
       parts_(laz.chunks()) {
   parallel_chunks(task, laz.chunks(), [&](size_t c) {
     if (laz.points(c) == 0) return;
-    const auto records = laz.decode(c);
-    const size_t kept = moved_to_front(records.get(), laz.points(c), record_bytes_, is_kept);
+    size_t count = 0;
+    const auto records = laz.decode_within(c, steps, count);
+    const size_t kept = moved_to_front(records.get(), count, record_bytes_, is_kept);
     if (kept != 0) parts_[c] = stored(records.get(), kept);
   });
   for (Part& part : parts_) {

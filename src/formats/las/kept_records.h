@@ -17,8 +17,8 @@ namespace jalon::las {
 /// is kept of the others. So columns are made for what was found alone, while what is in them already goes.
 class KeptRecords {
  public:
-  /// is_kept(record). Any thread.
-  KeptRecords(const LazPoints& laz, size_t record_bytes,
+  /// is_kept(record), of those within the steps at most. Any thread.
+  KeptRecords(const LazPoints& laz, size_t record_bytes, const StepBox& steps,
               const std::function<bool(const std::byte*)>& is_kept, Task& task);
 
   size_t count() const { return count_; }

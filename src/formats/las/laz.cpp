@@ -3,6 +3,8 @@
 #include "formats/las/laz.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "base/parallel.h"
 #include "formats/codecs/codecs.h"
@@ -164,17 +166,66 @@ std::unique_ptr<std::byte[]> LazPoints::packed(size_t number) const {
   return packed;
 }
 
-std::unique_ptr<std::byte[]> LazPoints::decode(size_t number) const {
+// run(packed bytes, their number, records, their bytes, message)
+template <class Decode>
+std::unique_ptr<std::byte[]> LazPoints::decoded(size_t number, Decode&& run) const {
   const LazChunk& chunk = chunks_[number];
   const auto from = packed(number);
   const size_t bytes = chunk.points * header_.record_bytes;
   auto records = std::make_unique_for_overwrite<std::byte[]>(bytes);
   Line line;
-  if (has_failed(jc_laz_decode(bytes_of(vlr_), vlr_.size(),
-                               reinterpret_cast<const uint8_t*>(from.get()), chunk.bytes,
-                               reinterpret_cast<uint8_t*>(records.get()), bytes, line.message())))
+  if (has_failed(run(reinterpret_cast<const uint8_t*>(from.get()), chunk.bytes,
+                     reinterpret_cast<uint8_t*>(records.get()), bytes, line.message())))
     source_.refuse(chunk.offset, "chunk %zu of the compressed points: %s", number + 1, line.text);
   return records;
+}
+
+std::unique_ptr<std::byte[]> LazPoints::decode(size_t number) const {
+  return decoded(number, [&](const uint8_t* from, uint64_t size, uint8_t* to, uint64_t room,
+                             JcMessage message) {
+    return jc_laz_decode(bytes_of(vlr_), vlr_.size(), from, size, to, room, message);
+  });
+}
+
+std::unique_ptr<std::byte[]> LazPoints::decode_within(size_t number, const StepBox& box,
+                                                      size_t& count) const {
+  const std::array<int32_t, 6> steps = {box.least[0], box.least[1], box.least[2],
+                                        box.most[0],  box.most[1],  box.most[2]};
+  uint64_t wanted = 0;
+  auto records = decoded(number, [&](const uint8_t* from, uint64_t size, uint8_t* to, uint64_t room,
+                                     JcMessage message) {
+    return jc_laz_decode_within(bytes_of(vlr_), vlr_.size(), from, size, steps.data(), to, room,
+                                &wanted, message);
+  });
+  count = static_cast<size_t>(wanted);
+  return records;
+}
+
+StepBox step_box(const Header& header, const Vec3& metres, const Box3& box_m) {
+  constexpr double kLeast = std::numeric_limits<int32_t>::min(),
+                   kMost = std::numeric_limits<int32_t>::max();
+  constexpr double kRounding = 0x1p-40;  // of places computed in doubles
+  StepBox steps;
+  bool has_places = true;
+  for (int k = 0; k < 3; ++k) {
+    const double scale = header.scale[k], offset = header.offset[k];
+    has_places = has_places && std::isfinite((kLeast * scale + offset) * metres[k]) &&
+                 std::isfinite((kMost * scale + offset) * metres[k]);
+    const double low = box_m.min[k] / metres[k], high = box_m.max[k] / metres[k];
+    const double a = (low - offset) / scale, b = (high - offset) / scale;
+    const auto slack = [&](double place) {
+      return 1 + kRounding * (std::fabs(place) + std::fabs(offset)) / std::fabs(scale);
+    };
+    const double least = std::min(a - slack(low), b - slack(high));
+    const double most = std::max(a + slack(low), b + slack(high));
+    // Neither is a number where the box has no end.
+    const auto at = static_cast<size_t>(k);
+    steps.least[at] =
+        static_cast<int32_t>(least > kLeast ? std::min(std::floor(least), kMost) : kLeast);
+    steps.most[at] = static_cast<int32_t>(most < kMost ? std::max(std::ceil(most), kLeast) : kMost);
+  }
+  if (!has_places) steps = {{INT32_MIN, INT32_MIN, INT32_MIN}, {INT32_MAX, INT32_MAX, INT32_MAX}};
+  return steps;
 }
 
 }  // namespace jalon::las

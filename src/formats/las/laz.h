@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "base/task.h"
 #include "formats/files/byte_source.h"
 #include "formats/las/layout.h"
+#include "geometry/vec.h"
 
 namespace jalon::las {
 
@@ -16,6 +18,13 @@ namespace jalon::las {
 struct LazChunk {
   uint64_t offset = 0, bytes = 0, first = 0, points = 0;
 };
+/// Steps of the file between which points are wanted: x, y, z.
+struct StepBox {
+  std::array<int32_t, 3> least, most;
+};
+/// All that the box may hold, and a step more: the places themselves decide. All steps where places may be none.
+StepBox step_box(const Header& header, const Vec3& metres, const Box3& box_m);
+
 /// The compressed points of a LAZ file: chunks, each decoded by itself.
 class LazPoints {
  public:
@@ -37,6 +46,9 @@ class LazPoints {
   size_t points(size_t chunk) const { return static_cast<size_t>(chunks_[chunk].points); }
   /// The chunk's points as records of a LAS file. Any thread.
   std::unique_ptr<std::byte[]> decode(size_t chunk) const;
+  /// The same of the records up to the last one within the steps, so many; those behind it are not decoded where that
+  /// saves work.
+  std::unique_ptr<std::byte[]> decode_within(size_t chunk, const StepBox& box, size_t& count) const;
 
  private:
   struct Layout {
@@ -50,6 +62,8 @@ class LazPoints {
   void read_table(uint64_t chunk_points);
   void number_points(uint64_t chunk_points);
   std::unique_ptr<std::byte[]> packed(size_t chunk) const;
+  template <class Decode>
+  std::unique_ptr<std::byte[]> decoded(size_t chunk, Decode&& run) const;
   const ByteSource& source_;
   const Header& header_;
   std::vector<std::byte> vlr_;

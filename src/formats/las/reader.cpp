@@ -192,7 +192,7 @@ struct LasReading : LasFrame {
     std::optional<KeptRecords> kept;
     {
       ProgressSpan span(task, 0, 0.8, "reading LAS");
-      kept.emplace(*laz, header.record_bytes, is_kept, task);
+      kept.emplace(*laz, header.record_bytes, step_box(header, unit, box_m), is_kept, task);
     }
     ProgressSpan span(task, 0.8, 0.95, "reading LAS");
     return filled_cloud(kept->count(), [&](PointSink& sink) {

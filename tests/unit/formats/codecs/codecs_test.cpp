@@ -5,7 +5,7 @@
 
 #include <doctest/doctest.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -152,6 +152,37 @@ TEST_CASE("codecs__what_is_packed_comes_out_again_in_every_bit") {
             REQUIRE(packer.unpack(packer.packed(records), out) == 0);
             CHECK(out == records);
           }
+    }
+}
+
+TEST_CASE("codecs__records_up_to_the_last_one_within_steps_are_those_of_the_whole") {
+  if (lacks_codecs()) return;
+  for (const unsigned format : {3u, 6u, 7u})
+    for (const bool has_channels : {false, true}) {
+      const Packer packer(format, 2);
+      const Records records =
+          drawn_records(packer, Law::kSmooth, 500, 3, has_channels && format > 5);
+      const Records chunk = packer.packed(records);
+      for (const int32_t least : {INT32_MIN, 900, 995, 1 << 20}) {
+        const int32_t steps[] = {least, INT32_MIN, INT32_MIN, INT32_MAX, INT32_MAX, INT32_MAX};
+        size_t last = 0;
+        for (size_t i = 0; i < 500; ++i)
+          if (load<int32_t>(reinterpret_cast<const std::byte*>(records.data()) +
+                            i * packer.record_bytes) >= least)
+            last = i + 1;
+        Records out(records.size());
+        uint64_t count = 0;
+        Line line;
+        REQUIRE(jc_laz_decode_within(packer.vlr.data(), packer.vlr.size(), chunk.data(),
+                                     chunk.size(), steps, out.data(), out.size(), &count,
+                                     line.message()) == 0);
+        CAPTURE(format);
+        CAPTURE(least);
+        CHECK((count == last || (count == 500 && (format < 6 || has_channels))));
+        const size_t bytes = count * packer.record_bytes;
+        CHECK(
+            std::equal(out.begin(), out.begin() + static_cast<ptrdiff_t>(bytes), records.begin()));
+      }
     }
 }
 

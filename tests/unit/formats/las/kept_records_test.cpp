@@ -29,6 +29,9 @@ struct Chunks {
   }
 };
 
+constexpr StepBox kAllSteps = {{INT32_MIN, INT32_MIN, INT32_MIN},
+                               {INT32_MAX, INT32_MAX, INT32_MAX}};
+
 bool is_low(const std::byte* record) { return load<int32_t>(record + 8) % 3 == 0; }
 
 }  // namespace
@@ -50,7 +53,7 @@ TEST_CASE("kept_records__are_those_asked_for_in_the_order_of_the_file_whatever_t
     Task::Hooks hooks;
     hooks.threads = threads;
     Task task(hooks);
-    KeptRecords kept(chunks.laz, stride, is_low, task);
+    KeptRecords kept(chunks.laz, stride, kAllSteps, is_low, task);
     REQUIRE(kept.count() * stride == expected.size());
     std::vector<std::byte> given(expected.size());
     std::atomic<size_t> points = 0;
@@ -69,9 +72,37 @@ TEST_CASE("kept_records__of_no_point_gives_nothing") {
   if (lacks_codecs()) return;
   Chunks chunks;
   KeptRecords kept(
-      chunks.laz, chunks.header.record_bytes, [](const std::byte*) { return false; }, chunks.task);
+      chunks.laz, chunks.header.record_bytes, kAllSteps, [](const std::byte*) { return false; },
+      chunks.task);
   CHECK(kept.count() == 0);
   bool has_given = false;
   kept.give([&](const std::byte*, size_t, size_t) { has_given = true; }, chunks.task);
   CHECK_FALSE(has_given);
+}
+
+TEST_CASE("kept_records__within_steps_are_those_of_all_that_lie_there") {
+  if (lacks_codecs()) return;
+  Chunks chunks;
+  const size_t stride = chunks.header.record_bytes;
+  StepBox steps = kAllSteps;
+  const auto first = chunks.laz.decode(0);
+  steps.least[0] = load<int32_t>(first.get() + 40 * stride);
+  steps.most[0] = steps.least[0] + 3000;
+  const auto is_there = [&](const std::byte* record) {
+    const auto x = load<int32_t>(record);
+    return x >= steps.least[0] && x <= steps.most[0];
+  };
+  KeptRecords some(chunks.laz, stride, steps, is_there, chunks.task);
+  KeptRecords of_all(chunks.laz, stride, kAllSteps, is_there, chunks.task);
+  REQUIRE(some.count() == of_all.count());
+  REQUIRE(some.count() > 100);
+  std::vector<std::byte> a(some.count() * stride), b(a.size());
+  const auto into = [stride](std::vector<std::byte>& out) {
+    return [&out, stride](const std::byte* records, size_t n, size_t at) {
+      std::memcpy(out.data() + at * stride, records, n * stride);
+    };
+  };
+  some.give(into(a), chunks.task);
+  of_all.give(into(b), chunks.task);
+  CHECK(a == b);
 }

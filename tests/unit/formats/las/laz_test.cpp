@@ -5,11 +5,16 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
+#include "base/random.h"
 #include "formats/codecs/codecs.h"
 #include "formats/files/endian.h"
 #include "formats/las/las.h"
+#include "formats/las/point_sink.h"
 #include "unit/formats/opened_file.h"
 
 using namespace jalon;
@@ -105,4 +110,51 @@ TEST_CASE("laz__damaged_bytes_end_in_an_error_or_in_points_and_never_elsewhere")
       refused += failure.status == Status::kOk ? 0 : 1;
     }
   CHECK(refused > 20);
+}
+
+TEST_CASE("laz__steps_of_a_box_hold_all_its_points") {
+  RandomStream random(3, 1);
+  for (int round = 0; round < 2000; ++round) {
+    las::Header header;
+    Vec3 metres{0.3048, 0.3048, 1};
+    for (int k = 0; k < 3; ++k) {
+      header.scale[k] = std::pow(10, -5 * random.uniform()) * (round % 7 == 0 ? -1 : 1);
+      header.offset[k] = 1e7 * random.uniform() * (round % 3);
+    }
+    const auto point = [&](std::array<int32_t, 3> steps) {
+      std::byte record[12];
+      for (size_t k = 0; k < 3; ++k) store<int32_t>(record + 4 * k, steps[k]);
+      return las::place_of(header, metres, record);
+    };
+    const auto drawn = [&] {
+      std::array<int32_t, 3> steps{};
+      for (int32_t& step : steps) step = static_cast<int32_t>(random.bits() >> random.below(32));
+      return steps;
+    };
+    const auto a = drawn(), b = drawn();
+    Box3 box;
+    box.add(point(a));
+    box.add(point(b));
+    const las::StepBox steps = las::step_box(header, metres, box);
+    for (const auto& corner : {a, b})
+      for (size_t k = 0; k < 3; ++k) {
+        CHECK(steps.least[k] <= corner[k]);
+        CHECK(steps.most[k] >= corner[k]);
+      }
+  }
+}
+
+TEST_CASE("laz__steps_of_a_box_are_few_beyond_it_and_all_where_it_has_no_end_or_places_are_none") {
+  las::Header header;
+  header.scale = {0.001, 0.001, 0.001};
+  header.offset = {0, 0, 0};
+  constexpr double kEndless = std::numeric_limits<double>::infinity();
+  const las::StepBox steps =
+      las::step_box(header, {1, 1, 1}, {{1, -2, -kEndless}, {2, -1, kEndless}});
+  CHECK((steps.least[0] >= 998 && steps.most[0] <= 2002));
+  CHECK((steps.least[1] >= -2002 && steps.most[1] <= -998));
+  CHECK((steps.least[2] == INT32_MIN && steps.most[2] == INT32_MAX));
+  header.scale.z = 1e300;
+  const las::StepBox all = las::step_box(header, {1, 1, 1}, {{0, 0, 0}, {1, 1, 1}});
+  CHECK((all.least[0] == INT32_MIN && all.most[0] == INT32_MAX));
 }

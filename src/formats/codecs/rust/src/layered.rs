@@ -40,8 +40,24 @@ impl Items {
     }
 }
 
+/// Steps of x, y and z between which points are wanted.
+pub struct Within {
+    pub least: [i32; 3],
+    pub most: [i32; 3],
+}
+
+impl Within {
+    fn holds(&self, record: &[u8]) -> bool {
+        record[..12].chunks_exact(4).enumerate().all(|(axis, bytes)| {
+            let steps = i32::from_le_bytes(bytes.try_into().unwrap());
+            (self.least[axis]..=self.most[axis]).contains(&steps)
+        })
+    }
+}
+
 pub enum Decoded {
-    Whole,
+    /// So many records, up to the last one that is wanted.
+    Records(usize),
     CutOff,
     /// Nothing that was put counts.
     OfSeveralChannels,
@@ -211,34 +227,56 @@ fn fill_places(
     Some(all)
 }
 
-/// Fills `out` with whole records.
-pub fn decode(packed: &[u8], items: &Items, out: &mut [u8]) -> Decoded {
+/// Fills `out` with whole records, of which those behind the last one within the steps need not be.
+pub fn decode(packed: &[u8], items: &Items, out: &mut [u8], within: Option<&Within>) -> Decoded {
     let record_bytes = items.record_bytes();
-    if out.is_empty() {
-        return Decoded::Whole;
+    let mut count = out.len() / record_bytes;
+    if count == 0 {
+        return Decoded::Records(0);
     }
     let Some(mut layers) = Layers::of(packed, record_bytes, items.layers()) else {
         return Decoded::CutOff;
     };
     out[..record_bytes].copy_from_slice(&packed[..record_bytes]);
-    let Some(mut places) = layers.next() else {
-        return if out.len() == record_bytes { Decoded::Whole } else { Decoded::CutOff };
-    };
-    let Some(told) = fill_places(&mut places, out, record_bytes) else {
-        return Decoded::OfSeveralChannels;
-    };
     let mut records = Records { bytes: out, record_bytes };
-    if places.is_past() || !fill_attributes(&mut layers, items, &told, &mut records) {
+    if let Some(mut places) = layers.next() {
+        let Some(told) = fill_places(&mut places, records.bytes, record_bytes) else {
+            return Decoded::OfSeveralChannels;
+        };
+        if places.is_past() || !fill_heights(&mut layers, &told, &mut records) {
+            return Decoded::CutOff;
+        }
+        if let Some(within) = within {
+            let mut all = records.bytes.chunks_exact(record_bytes);
+            count = all.rposition(|record| within.holds(record)).map_or(0, |last| last + 1);
+        }
+        let told = &told[..count.saturating_sub(1)];
+        if !fill_attributes(&mut layers, items, told, &mut records) {
+            return Decoded::CutOff;
+        }
+    } else if count > 1 {
         return Decoded::CutOff;
     }
-    Decoded::Whole
+    Decoded::Records(count)
+}
+
+fn fill_heights(layers: &mut Layers, told: &[Told], records: &mut Records) -> bool {
+    let mut integers = Integers::new(32, 20);
+    let first = i32::from_le_bytes(records.bytes[Z_AT..][..4].try_into().unwrap());
+    let mut heights = [first; MOST_LEVEL + 1];
+    records.fill(Z_AT, layers.next(), told, |decoder, _: [u8; 4], told| {
+        let height = &mut heights[usize::from(told.level)];
+        let context = usize::from(told.is_single) + usize::from(told.place_bits.min(18) & !1);
+        *height = integers.next(decoder, *height, context);
+        height.to_le_bytes()
+    })
 }
 
 fn models_of(count: usize) -> Vec<Lazy<Bytes>> {
     (0..count).map(|_| None).collect()
 }
 
-/// All but x, y and returns; false where a layer ends before its points.
+/// All but place and returns; false where a layer ends before its points.
 fn fill_attributes(
     layers: &mut Layers,
     items: &Items,
@@ -246,21 +284,11 @@ fn fill_attributes(
     records: &mut Records,
 ) -> bool {
     let first: [u8; CORE_BYTES] = records.bytes[..CORE_BYTES].try_into().unwrap();
-    let mut integers = Integers::new(32, 20);
-    let mut heights = [i32::from_le_bytes(first[Z_AT..][..4].try_into().unwrap()); MOST_LEVEL + 1];
-    let is_whole = records.fill(Z_AT, layers.next(), told, |decoder, _: [u8; 4], told| {
-        let height = &mut heights[usize::from(told.level)];
-        let context = usize::from(told.is_single) + usize::from(told.place_bits.min(18) & !1);
-        *height = integers.next(decoder, *height, context);
-        height.to_le_bytes()
-    });
-
     let mut models = models_of(64);
-    let is_whole = is_whole
-        && records.fill(CLASS_AT, layers.next(), told, |decoder, [class], told| {
-            let context = usize::from(class & 31) << 1 | usize::from(told.order == 3);
-            [decoder.symbol(bytes_of(&mut models[context], 256)) as u8]
-        });
+    let is_whole = records.fill(CLASS_AT, layers.next(), told, |decoder, [class], told| {
+        let context = usize::from(class & 31) << 1 | usize::from(told.order == 3);
+        [decoder.symbol(bytes_of(&mut models[context], 256)) as u8]
+    });
 
     // As LASzip has them: edge, direction, four flags of the class; the channel stands between them in a record.
     let channel = first[FLAGS_AT] & 0x30;

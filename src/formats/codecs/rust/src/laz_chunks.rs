@@ -4,6 +4,7 @@
 //! LAZ read: the record of the compressor, the table of chunks, one chunk from memory to memory. All the
 //! reading of files and all threads are the caller's.
 
+use crate::layered::Within;
 use crate::{guarded, layered, sequential, silence_panics, Message};
 use laz::laszip::{ChunkTable, CompressorType};
 use laz::record::{
@@ -137,7 +138,7 @@ pub unsafe extern "C" fn jc_laz_check(
     guarded(&message, || {
         let vlr = vlr_of(vlr, vlr_bytes)?;
         let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
-        decode(&vlr, packed, Wanted::Count(points))
+        decode(&vlr, packed, Wanted::Count(points)).map(|_| ())
     })
 }
 
@@ -157,23 +158,50 @@ pub unsafe extern "C" fn jc_laz_decode(
         let vlr = vlr_of(vlr, vlr_bytes)?;
         let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
         let out = std::slice::from_raw_parts_mut(out, out_bytes as usize);
-        decode(&vlr, packed, Wanted::Records(out))
+        decode(&vlr, packed, Wanted::Records(out, None)).map(|_| ())
+    })
+}
+
+/// The same, but records behind the last one between the steps (least x, y, z, most x, y, z) need not be there; their
+/// number to be looked at.
+#[no_mangle]
+pub unsafe extern "C" fn jc_laz_decode_within(
+    vlr: *const u8,
+    vlr_bytes: u64,
+    packed: *const u8,
+    packed_bytes: u64,
+    steps: *const i32,
+    out: *mut u8,
+    out_bytes: u64,
+    records: *mut u64,
+    message: Message,
+) -> i32 {
+    silence_panics();
+    guarded(&message, || {
+        let vlr = vlr_of(vlr, vlr_bytes)?;
+        let packed = std::slice::from_raw_parts(packed, packed_bytes as usize);
+        let out = std::slice::from_raw_parts_mut(out, out_bytes as usize);
+        let [a, b, c, d, e, f] = *(steps as *const [i32; 6]);
+        let within = Within { least: [a, b, c], most: [d, e, f] };
+        *records = decode(&vlr, packed, Wanted::Records(out, Some(&within)))? as u64;
+        Ok(())
     })
 }
 
 enum Wanted<'a> {
-    Records(&'a mut [u8]),
+    Records(&'a mut [u8], Option<&'a Within>),
     Count(u64),
 }
 
-fn decode(vlr: &LazVlr, packed: &[u8], mut wanted: Wanted) -> Result<(), String> {
+/// How many records are there.
+fn decode(vlr: &LazVlr, packed: &[u8], mut wanted: Wanted) -> Result<usize, String> {
     let record_bytes = record_bytes_of(vlr);
     let is_layered = vlr.items()[0].version() >= 3;
     if is_layered {
         check_layers(vlr, packed, record_bytes)?;
     }
-    if let Wanted::Records(out) = &mut wanted {
-        if let Some(done) = decode_usual(vlr, packed, out) {
+    if let Wanted::Records(out, within) = &mut wanted {
+        if let Some(done) = decode_usual(vlr, packed, out, *within) {
             return done;
         }
     }
@@ -186,14 +214,20 @@ fn decode(vlr: &LazVlr, packed: &[u8], mut wanted: Wanted) -> Result<(), String>
 }
 
 /// By our own decoders, which are faster; none where they do not know the items.
-fn decode_usual(vlr: &LazVlr, packed: &[u8], out: &mut [u8]) -> Option<Result<(), String>> {
+fn decode_usual(
+    vlr: &LazVlr,
+    packed: &[u8],
+    out: &mut [u8],
+    within: Option<&Within>,
+) -> Option<Result<usize, String>> {
+    const CUT_OFF: &str = "it ends before its points";
     let version = vlr.items()[0].version();
     let mut kinds = vlr.items().iter().map(|item| item.item_type()).peekable();
     if vlr.items().iter().any(|item| item.version() != version) {
         return None;
     }
     let mut has = |wanted: LazItemType| kinds.next_if_eq(&wanted).is_some();
-    let is_whole = if version == 2 && has(LazItemType::Point10) {
+    if version == 2 && has(LazItemType::Point10) {
         let has_time = has(LazItemType::GpsTime);
         let has_colour = has(LazItemType::RGB12);
         let extra_bytes = match kinds.next() {
@@ -205,7 +239,8 @@ fn decode_usual(vlr: &LazVlr, packed: &[u8], out: &mut [u8]) -> Option<Result<()
         if kinds.next().is_some() || items.record_bytes() != record_bytes_of(vlr) {
             return None;
         }
-        sequential::decode(packed, &items, out)
+        let is_whole = sequential::decode(packed, &items, out);
+        Some(if is_whole { Ok(out.len() / items.record_bytes()) } else { Err(CUT_OFF.to_owned()) })
     } else if matches!(version, 3 | 4) && has(LazItemType::Point14) {
         let has_colour = has(LazItemType::RGB14);
         let extra_bytes = match kinds.next() {
@@ -217,14 +252,14 @@ fn decode_usual(vlr: &LazVlr, packed: &[u8], out: &mut [u8]) -> Option<Result<()
         if kinds.next().is_some() || items.record_bytes() != record_bytes_of(vlr) {
             return None;
         }
-        match layered::decode(packed, &items, out) {
-            layered::Decoded::OfSeveralChannels => return None,
-            decoded => matches!(decoded, layered::Decoded::Whole),
+        match layered::decode(packed, &items, out, within) {
+            layered::Decoded::OfSeveralChannels => None,
+            layered::Decoded::Records(count) => Some(Ok(count)),
+            layered::Decoded::CutOff => Some(Err(CUT_OFF.to_owned())),
         }
     } else {
-        return None;
-    };
-    Some(if is_whole { Ok(()) } else { Err("it ends before its points".to_owned()) })
+        None
+    }
 }
 
 fn run<'a>(
@@ -232,18 +267,21 @@ fn run<'a>(
     vlr: &LazVlr,
     record_bytes: usize,
     wanted: Wanted,
-) -> Result<(), String> {
+) -> Result<usize, String> {
     decoder.set_fields_from(vlr.items()).map_err(|e| e.to_string())?;
     if record_bytes == 0 || decoder.record_size() != record_bytes {
         return Err("the items of the compressor have other sizes than their kinds".to_owned());
     }
     match wanted {
-        Wanted::Records(out) => out
+        Wanted::Records(out, _) => out
             .chunks_exact_mut(record_bytes)
-            .try_for_each(|point| decoder.decompress_next(point)),
+            .try_for_each(|point| decoder.decompress_next(point))
+            .map(|()| out.len() / record_bytes),
         Wanted::Count(points) => {
             let mut point = vec![0; record_bytes];
-            (0..points).try_for_each(|_| decoder.decompress_next(&mut point))
+            (0..points)
+                .try_for_each(|_| decoder.decompress_next(&mut point))
+                .map(|()| points as usize)
         }
     }
     .map_err(|e| e.to_string())
