@@ -10,6 +10,7 @@ use crate::numbers::{Colours, Integers, Median, Times};
 
 const CORE_BYTES: usize = 30;
 const COLOUR_BYTES: usize = 6;
+const INFRARED_BYTES: usize = 2;
 const COUNT_BYTES: usize = 4; // behind the first record
 const SIZE_BYTES: usize = 4; // of a layer
 const CORE_LAYERS: usize = 9;
@@ -28,15 +29,21 @@ const TIME_AT: usize = 22;
 /// What a record has behind what all have.
 pub struct Items {
     pub has_colour: bool,
+    pub has_infrared: bool,
     pub extra_bytes: usize,
 }
 
 impl Items {
     pub fn record_bytes(&self) -> usize {
-        CORE_BYTES + if self.has_colour { COLOUR_BYTES } else { 0 } + self.extra_bytes
+        let colour = if self.has_colour { COLOUR_BYTES } else { 0 };
+        let infrared = if self.has_infrared { INFRARED_BYTES } else { 0 };
+        CORE_BYTES + colour + infrared + self.extra_bytes
     }
     fn layers(&self) -> usize {
-        CORE_LAYERS + usize::from(self.has_colour) + self.extra_bytes
+        CORE_LAYERS
+            + usize::from(self.has_colour)
+            + usize::from(self.has_infrared)
+            + self.extra_bytes
     }
 }
 
@@ -350,7 +357,7 @@ fn fill_attributes(
     is_whole && fill_rest(layers, items, told, records)
 }
 
-/// Colours and extra bytes.
+/// Colours, infrared and extra bytes.
 fn fill_rest(layers: &mut Layers, items: &Items, told: &[Told], records: &mut Records) -> bool {
     let mut at = CORE_BYTES;
     if items.has_colour {
@@ -359,6 +366,24 @@ fn fill_rest(layers: &mut Layers, items: &Items, told: &[Told], records: &mut Re
             return false;
         }
         at += COLOUR_BYTES;
+    }
+    if items.has_infrared {
+        let mut changed_model = None;
+        let mut models = [None, None];
+        let fill_infrared = |decoder: &mut Decoder, mut value: [u8; INFRARED_BYTES], _: &Told| {
+            let changed = decoder.symbol(bytes_of(&mut changed_model, 4));
+            for half in 0..INFRARED_BYTES {
+                if changed >> half & 1 != 0 {
+                    let step = decoder.symbol(bytes_of(&mut models[half], 256)) as u8;
+                    value[half] = value[half].wrapping_add(step);
+                }
+            }
+            value
+        };
+        if !records.fill(at, layers.next(), told, fill_infrared) {
+            return false;
+        }
+        at += INFRARED_BYTES;
     }
     (at..records.record_bytes).all(|at| {
         let mut model = None;

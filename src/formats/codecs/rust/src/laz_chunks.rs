@@ -242,13 +242,14 @@ fn decode_usual(
         let is_whole = sequential::decode(packed, &items, out);
         Some(if is_whole { Ok(out.len() / items.record_bytes()) } else { Err(CUT_OFF.to_owned()) })
     } else if matches!(version, 3 | 4) && has(LazItemType::Point14) {
-        let has_colour = has(LazItemType::RGB14);
+        let has_infrared = has(LazItemType::RGBNIR14);
+        let has_colour = has_infrared || has(LazItemType::RGB14);
         let extra_bytes = match kinds.next() {
             Some(LazItemType::Byte14(count)) => usize::from(count),
             Some(_) => return None,
             None => 0,
         };
-        let items = layered::Items { has_colour, extra_bytes };
+        let items = layered::Items { has_colour, has_infrared, extra_bytes };
         if kinds.next().is_some() || items.record_bytes() != record_bytes_of(vlr) {
             return None;
         }
