@@ -22,7 +22,8 @@ function(jalon_look_for_codecs)
   # The newest of the language that the crates use: Debian 12's own cargo-web may be older, that of its security updates
   # is not.
   find_program(JALON_RUSTC NAMES rustc)
-  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/codecs_probe.rs" "pub fn probe(n: u64) -> bool { n.is_multiple_of(4) }\n")
+  file(WRITE "${CMAKE_CURRENT_BINARY_DIR}/codecs_probe.rs"
+       "pub fn probe(n: u64) -> u64 { std::hint::select_unpredictable(n.is_multiple_of(4), n, 0) }\n")
   execute_process(COMMAND "${JALON_RUSTC}" --crate-type lib --emit metadata -o "${CMAKE_CURRENT_BINARY_DIR}/codecs_probe"
                           "${CMAKE_CURRENT_BINARY_DIR}/codecs_probe.rs" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
   if(failed)

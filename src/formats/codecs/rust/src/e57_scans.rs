@@ -53,8 +53,6 @@ impl Seek for File {
     }
 }
 
-type Input = BufReader<File>;
-
 pub struct Document {
     scans: Vec<PointCloud>,
     texts: Vec<CString>, // that the caller looks at
