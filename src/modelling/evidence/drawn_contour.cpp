@@ -235,7 +235,7 @@ std::vector<ContourPiece> with_openings(const ContourPiece& piece,
 }
 
 // What an opening takes, with room around it. A hole of the contour that draws it may reach beyond its shape.
-void add_taken(const DrawnShape& drawn, double spacing_m, std::vector<PolygonWithHoles>& out) {
+void add_with_room(const DrawnShape& drawn, double spacing_m, std::vector<PolygonWithHoles>& out) {
   const double room = kBesideOpening * spacing_m;
   out.push_back({polygon_of(drawn.shape.grown(room), spacing_m), {}});
   if (drawn.hole.empty()) return;
@@ -245,29 +245,70 @@ void add_taken(const DrawnShape& drawn, double spacing_m, std::vector<PolygonWit
     out.push_back(box_polygon(p.u - room, p.v - room, p.u + room, p.v + room));
 }
 
+// What openings take of a hole: with room all; with none above them those that were cut out of the border.
+struct Taken {
+  std::vector<PolygonWithHoles> with_room, up_to_heads;
+
+  Taken(std::span<const DrawnShape> shapes, std::span<const ContourPiece> pieces,
+        double spacing_m) {
+    for (const DrawnShape& drawn : shapes) {
+      std::vector<PolygonWithHoles> taken;
+      add_with_room(drawn, spacing_m, taken);
+      with_room.insert(with_room.end(), taken.begin(), taken.end());
+      const RingBox box = drawn.shape.box();
+      const bool is_inside = std::any_of(pieces.begin(), pieces.end(), [&](const auto& piece) {
+        return contains(piece.outline, box.middle());
+      });
+      if (!is_inside) {
+        const RingBox room = box.grown(2 * kBesideOpening * spacing_m);
+        taken = combined(SetOperation::kIntersection, taken,
+                         {{box_polygon(room.low.u, room.low.v, room.high.u, box.high.v)}});
+        taken.push_back({drawn.polygon(spacing_m), {}});
+      }
+      up_to_heads.insert(up_to_heads.end(), taken.begin(), taken.end());
+    }
+  }
+};
+
+// Places in a hole that nobody measured. Above an opening at the border they go down to its head: a lintel between both
+// would be as high as the room around it, and of nothing that was measured.
+std::vector<PolygonWithHoles> unseen_places(const Chain& hole, const Taken& taken, double spacing_m,
+                                            const ContourSetting& setting) {
+  const auto left_by = [&](const std::vector<PolygonWithHoles>& others) {
+    return without({{reversed_chain(hole), {}}}, those_meeting(hole, others), spacing_m);
+  };
+  std::vector<PolygonWithHoles> places = left_by(taken.with_room);
+  std::erase_if(places, [&](const PolygonWithHoles& place) {
+    const double area = signed_area(place.outline);
+    return area < setting.min_opening_area_m2 ||
+           equivalent_width(area, perimeter(place.outline)) < setting.min_opening_width_m;
+  });
+  if (places.empty()) return places;
+  std::vector<PolygonWithHoles> out = left_by(taken.up_to_heads);
+  std::erase_if(out, [&](const PolygonWithHoles& place) {
+    return !(shared_area({{place}}, places).both > 0);
+  });
+  return out;
+}
+
 // Step 4.
 void add_unseen(const ContourPiece& piece, std::span<const DrawnShape> shapes, double spacing_m,
                 const ContourSetting& setting, std::vector<ContourPiece>& out) {
-  std::vector<PolygonWithHoles> beside, cut;
-  for (const DrawnShape& drawn : shapes) add_taken(drawn, spacing_m, beside);
-  for (const Chain& hole : piece.openings) {
-    for (const PolygonWithHoles& left :
-         without({{reversed_chain(hole), {}}}, those_meeting(hole, beside), spacing_m)) {
-      const double area = signed_area(left.outline);
-      if (area < setting.min_opening_area_m2 ||
-          equivalent_width(area, perimeter(left.outline)) < setting.min_opening_width_m)
+  if (piece.openings.empty()) return;
+  const Taken taken(shapes, out, spacing_m);
+  std::vector<PolygonWithHoles> cut;
+  for (const Chain& hole : piece.openings)
+    for (PolygonWithHoles& place : unseen_places(hole, taken, spacing_m, setting)) {
+      const auto part = std::find_if(out.begin(), out.end(), [&](const ContourPiece& p) {
+        return is_apart(place.outline, p.outline, spacing_m);
+      });
+      if (part == out.end()) {
+        cut.push_back(std::move(place));
         continue;
-      bool is_in = false;
-      for (ContourPiece& part : out) {
-        if (!is_apart(left.outline, part.outline, spacing_m)) continue;
-        part.openings.push_back(reversed_chain(dense(left.outline, spacing_m)));
-        part.forms.emplace_back();
-        is_in = true;
-        break;
       }
-      if (!is_in) cut.push_back(left);
+      part->openings.push_back(reversed_chain(dense(place.outline, spacing_m)));
+      part->forms.emplace_back();
     }
-  }
   if (!cut.empty()) out = cut_at_border(std::move(out), cut, spacing_m, setting);
 }
 

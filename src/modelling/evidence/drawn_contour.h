@@ -14,7 +14,8 @@ namespace jalon {
 ///    some where relief covers the wall, so that it goes on over them.
 /// 2. The contour of these points (contour.h).
 /// 3. Openings inside a piece are its openings; those at its border are cut out of its outline, through to the outside.
-/// 4. Holes of the contour that are no openings keep what openings leave of them: nothing was measured there.
+/// 4. Holes of the contour that are no openings keep what openings leave of them: nothing was measured there. Above an
+///    opening at the border such a place goes down to its head, else wall stays between both.
 ///
 /// Before: candidates in the coordinates of the points; plain: the contour of all of them. An opening that one of its
 /// holes shows is drawn by it. After: as of extract_contour; openings have the corners of

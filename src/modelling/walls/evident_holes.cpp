@@ -55,15 +55,23 @@ OpeningShape drawn_shape(const OpeningCandidate& candidate, double spacing_m) {
 // Whether a notch is the opening alone. One that goes on where something hides the wall beside or above the opening is
 // no more of it.
 bool has_its_form(const WallHole& notch, const OpeningCandidate& candidate, double spacing_m) {
-  const std::vector<Vec2> shape = polygon_of(drawn_shape(candidate, spacing_m), spacing_m),
+  const OpeningShape drawn = drawn_shape(candidate, spacing_m);
+  const std::vector<Vec2> shape = polygon_of(drawn, spacing_m),
                           outline = flattened(notch.outline, kChordOfNotch * spacing_m);
-  const RingBox box = ring_box(notch.outline);
-  const double foot = drawn_shape(candidate, spacing_m).box().low.v;
+  const RingBox box = ring_box(notch.outline), own = drawn.box();
   // Below the opening it may go on to a foot that nobody saw.
-  const PolygonWithHoles a{outline, {}}, b{shape, {}},
-      above = box_polygon(box.low.u, foot, box.high.u, std::max(foot, box.high.v));
-  const double more_m2 = shared_area({{a}}, {{above}}).both - shared_area({{a}}, {{b}}).both;
-  return more_m2 <= kMoreSpacings * spacing_m * perimeter(shape);
+  const double foot = own.low.v, head = std::max(foot, box.high.v);
+  const auto within_m2 = [&](const PolygonWithHoles& part) {
+    const PolygonWithHoles whole{outline, {}};
+    return shared_area({{whole}}, {{part}}).both;
+  };
+  const double most_m = kMoreSpacings * spacing_m,
+               more_m2 = within_m2(box_polygon(box.low.u, foot, box.high.u, head)) -
+                         within_m2({shape, {}});
+  if (more_m2 > most_m * perimeter(shape)) return false;
+  // Nor all of it above the opening, where nobody measured up to it.
+  return head <= own.high.v ||
+         within_m2(box_polygon(own.low.u, own.high.v, own.high.u, head)) <= most_m * own.width();
 }
 
 // The piece whose border comes nearest to a place.

@@ -87,6 +87,22 @@ TEST_CASE("drawn_contour__keeps_a_hole_where_nothing_was_measured_and_goes_on_ov
   CHECK(relief.pieces[0].openings.size() == 1);
 }
 
+TEST_CASE("drawn_contour__has_no_lintel_between_a_door_and_what_a_canopy_hides_above_it") {
+  const Contour hidden = drawn_with(rectangle(4.8, 6.2, 2.2, 3), WallState::kHidden);
+  REQUIRE(hidden.pieces.size() == 1);
+  const ContourPiece& piece = hidden.pieces[0];
+  CHECK(piece.openings.size() == 1);
+  CHECK_FALSE(contains(piece.outline, {5.5, 2.25}));
+  CHECK_FALSE(contains(piece.outline, {5.5, 2.8}));
+  CHECK(contains(piece.outline, {5.5, 3.1}));
+  CHECK(contains(piece.outline, {4.9, 2.1}));
+  CHECK(contains(piece.outline, {6.1, 2.1}));
+  // A window inside the wall stays apart from what was not measured above it.
+  const Contour above = drawn_with(rectangle(2, 3.2, 3, 3.6), WallState::kHidden);
+  REQUIRE(above.pieces.size() == 1);
+  CHECK(above.pieces[0].openings.size() == 2);
+}
+
 TEST_CASE("drawn_contour__what_was_not_measured_never_lies_over_an_opening_that_a_hole_shows") {
   // Beside a plain window the wall goes on as a hole that was seen through: the window is drawn by the whole hole, and
   // what its own shape leaves of that is no second one.

@@ -105,6 +105,23 @@ TEST_CASE(
   CHECK_FALSE(whole[0].is_bay);
 }
 
+TEST_CASE("evident_holes__a_strip_above_a_broad_opening_is_no_more_of_it") {
+  VectorFace face;
+  face.outline =
+      rings::ring_of({{0, 0}, {3, 0}, {3, 3.1}, {6.2, 3.1}, {6.2, 0}, {10, 0}, {10, 5}, {0, 5}});
+  const VectorPlane wall = rings::wall_of({face}, kDrawnSpacing_m);
+  const std::vector<OpeningCandidate> front{candidate_at({3.02, 0}, {6.18, 2.94})};
+  const auto holes = evident_holes(wall, front);
+  REQUIRE(holes.size() == 1);
+  CHECK(holes[0].is_bay);
+  CHECK(ring_box(holes[0].outline).high.v == doctest::Approx(2.96));
+  // Two spacings are what an outline is measured to.
+  const std::vector<OpeningCandidate> whole{candidate_at({3.02, 0}, {6.18, 3.05})};
+  const auto notch = evident_holes(wall, whole);
+  REQUIRE(notch.size() == 1);
+  CHECK_FALSE(notch[0].is_bay);
+}
+
 TEST_CASE("evident_holes__an_opening_whose_form_shows_in_no_face_is_a_bay_beside_the_nearest") {
   VectorPlane wall = rings::wall_of(
       {{rings::rectangle({0, 0}, {4, 3}), {}}, {rings::rectangle({6.5, 0}, {9, 3}), {}}},
