@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -22,7 +23,8 @@ constexpr double kBesidePiece_m = 0.5;    // what a surround, a sill, a quoin to
 constexpr double kReliefPieceShare = 0.6;  // of its points, before the wall and beside it
 constexpr double kTouchingShare = 0.5;     // of its points, beside other pieces
 constexpr double kEnclosing_m = 0.25;      // measured wall on a side of what it encloses: a pier
-constexpr int kMostRounds = 3;  // a piece that comes apart may have hidden what another one is
+constexpr double kMixedShare = 0.1;  // of a segment's points: it is a wall and a larger one's panes
+constexpr int kMostRounds = 3;       // a piece that comes apart may have hidden what another one is
 
 // A house that stands forward passes for relief of the next one where pieces of that lie in its windows.
 bool is_outer(PlaneRole role) { return role == PlaneRole::kWall || role == PlaneRole::kRelief; }
@@ -104,6 +106,69 @@ Enclosure enclosure_of(const Cloud& cloud, std::span<const uint32_t> points, dou
              [](const WallEvidence& wall, const Vec3& p) { return is_enclosed_at(wall.cells, p); })
              ? Enclosure::kBehind
              : Enclosure::kNone;
+}
+
+// Whether a place of a wall fills an opening that a larger one frames.
+class LargerWalls {
+ public:
+  LargerWalls(const WallEvidence& whole, const std::vector<WallEvidence>& evidence) {
+    for (const WallEvidence& wall : evidence)
+      if (&wall != &whole && wall.is_wall() && looks_as(wall, whole) &&
+          explained_m2(wall) > explained_m2(whole))
+        walls_.push_back(&wall);
+  }
+  bool have_filling_at(const Vec3& p) const {
+    return std::any_of(walls_.begin(), walls_.end(),
+                       [&](const WallEvidence* wall) { return is_filling_at(*wall, p, false); });
+  }
+
+ private:
+  std::vector<const WallEvidence*> walls_;
+};
+
+// A segment less some of its points, and these as the last one: both on its plane.
+void part_segment(std::span<const uint32_t> leaving, std::span<uint32_t> labels, size_t s,
+                  Segmentation& out) {
+  Segment &rest = out.segments[s], part = rest;
+  const double share =
+      static_cast<double>(leaving.size()) / static_cast<double>(rest.point_count());
+  part.label = static_cast<uint32_t>(out.segments.size() + 1);
+  part.fit.n = leaving.size();
+  part.area_m2 *= share;
+  rest.fit.n -= leaving.size();
+  rest.area_m2 *= 1 - share;
+  for (const uint32_t i : leaving) labels[i] = part.label;
+  out.segments.push_back(part);
+}
+
+// Where a segmentation joined panes to a wall that stands back as deep as they do (the fronts of dormers over the
+// eaves), as a jitter of its points decides: such segments in two.
+Segmentation parted_segments(const Segmentation& given, const std::vector<uint32_t>& whole,
+                             const std::vector<WallEvidence>& evidence, Task& task) {
+  const auto before = given.labels->values<uint32_t>();
+  const LabelGroups groups(before, given.segments.size(), task);
+  Segmentation out = given;
+  std::shared_ptr<Column> labels;
+  for (size_t s = 0; s < given.segments.size(); ++s) {
+    const WallEvidence& own = evidence[whole[s] - 1];
+    if (!own.is_wall()) continue;
+    task.checkpoint(0);
+    const auto points = groups.of(given.segments[s].label);
+    const LargerWalls larger(own, evidence);
+    const auto fills = [&](uint32_t i) { return larger.have_filling_at(given.cloud->point(i)); };
+    const double share = share_of(points, fills);
+    if (share < kMixedShare || share >= kFillingShare) continue;
+    std::vector<uint32_t> leaving;
+    std::copy_if(points.begin(), points.end(), std::back_inserter(leaving), fills);
+    if (leaving.empty() || leaving.size() == points.size()) continue;
+    if (labels == nullptr) {
+      labels = std::make_shared<Column>(given.labels->info(), before.size());
+      std::copy(before.begin(), before.end(), labels->values<uint32_t>().begin());
+    }
+    part_segment(leaving, labels->values<uint32_t>(), s, out);
+  }
+  if (labels != nullptr) out.labels = std::move(labels);
+  return out;
 }
 
 // Whether the wall was measured this near to a place before or behind it.
@@ -256,10 +321,20 @@ std::vector<uint32_t> pieces_apart(const Segmentation& given, const std::vector<
 
 std::vector<WallEvidence> gather_whole_walls(Segmentation& segmentation, double tolerance_m,
                                              const EvidenceSetting& setting, Task& task) {
-  const Segmentation given = segmentation;
-  std::vector<uint32_t> whole = whole_walls(given, tolerance_m, task);
-  segmentation = joined_pieces(given, whole, task);
-  std::vector<WallEvidence> out = gather_evidence(segmentation, setting, task);
+  Segmentation given = segmentation;
+  std::vector<uint32_t> whole;
+  std::vector<WallEvidence> out;
+  const auto look = [&] {
+    whole = whole_walls(given, tolerance_m, task);
+    segmentation = joined_pieces(given, whole, task);
+    out = gather_evidence(segmentation, setting, task);
+  };
+  look();
+  Segmentation parted = parted_segments(given, whole, out, task);
+  if (parted.segments.size() > given.segments.size()) {
+    given = std::move(parted);
+    look();
+  }
   for (int round = 0; round < kMostRounds; ++round) {
     const std::vector<uint32_t> apart =
         pieces_apart(given, whole, out, setting.cells.relief_m, task);

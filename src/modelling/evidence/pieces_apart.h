@@ -23,7 +23,8 @@ std::vector<uint32_t> pieces_apart(const Segmentation& given, const std::vector<
                                    Task& task);
 
 /// Evidence for walls as wholes: pieces joined where they lie on one plane, fillings apart. segmentation becomes that
-/// with these wholes. tolerance_m: of coplanar.h.
+/// with these wholes. A segment of a wall of which some points fill framed openings of a larger one is in two pieces:
+/// these are a segment behind the last one given. tolerance_m: of coplanar.h.
 std::vector<WallEvidence> gather_whole_walls(Segmentation& segmentation, double tolerance_m,
                                              const EvidenceSetting& setting, Task& task);
 

@@ -187,6 +187,34 @@ TEST_CASE("pieces_apart__leaves_of_doors_leave_the_dormers_in_their_plane") {
   CHECK(evidence[0].role == PlaneRole::kWall);
 }
 
+TEST_CASE("pieces_apart__leaves_that_are_one_segment_with_the_dormers_in_their_plane_leave_it") {
+  const Segmentation four = mansard(true);
+  // One segment of leaves and dormers.
+  std::vector<std::vector<Vec3>> parts(2);
+  const auto labels = four.labels->values<uint32_t>();
+  for (size_t i = 0; i < labels.size(); ++i) parts[labels[i] > 1].push_back(four.cloud->point(i));
+  Segmentation given = walls::segmentation_of(parts);
+  set_areas(given, parts);
+  Segmentation segmentation = given;
+  Task task;
+  const auto evidence = gather_whole_walls(segmentation, 0.03, {}, task);
+  REQUIRE(segmentation.segments.size() == 3);
+  REQUIRE(evidence.size() == 3);
+  const std::vector<size_t> points = points_by_label(segmentation);
+  CHECK(points[2] == four.segments[3].point_count() + four.segments[4].point_count());
+  CHECK(points[3] == four.segments[1].point_count() + four.segments[2].point_count());
+  for (size_t s = 0; s < 3; ++s) CHECK(segmentation.segments[s].point_count() == points[s + 1]);
+  CHECK(segmentation.segments[1].area_m2 + segmentation.segments[2].area_m2 ==
+        doctest::Approx(given.segments[1].area_m2));
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  CHECK(evidence[2].role == PlaneRole::kFilling);
+  CHECK(given.labels->values<uint32_t>()[0] == 1);  // as it was
+  // The wall alone is not parted.
+  Segmentation alone = walls::segmentation_of({parts[0]});
+  set_areas(alone, {parts[0]});
+  CHECK(gather_whole_walls(alone, 0.03, {}, task).size() == 1);
+}
+
 TEST_CASE("pieces_apart__leaves_leave_the_dormers_in_their_plane_whichever_way_that_looks") {
   Segmentation given = mansard(true);
   for (size_t s = 1; s < 5; ++s) {
