@@ -4,61 +4,121 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <tuple>
 
 #include "geometry/circle.h"
+#include "segment/codes/coded_object.h"
 
 namespace jalon {
 
 namespace {
 
 constexpr double kStrayShare = 0.01;      // of the points, at each end of an extent
-constexpr size_t kFewestPoints = 20;      // that an extent or a circle is taken from
 constexpr double kUprightNormal_z = 0.5;  // steeper planes are no walls, doors or windows
+constexpr double kLayer_m = 0.01;         // of a front: five times the noise of a scanner
+constexpr double kLeastFlat = 1.0 / 3;    // of an opening's points in the layer of its front
 constexpr double kOffPipe_m = 0.01;       // five times the noise of a scanner
 constexpr double kThinPipe_m = 0.01, kThickPipe_m = 0.3;  // radii of downpipes
 
-// The extent of all but the strays at each end.
 struct Extent1 {
   double low = 0, high = 0;
 };
+
+// The extent of all but the strays at each end. As many of an object's own points lie beyond it: it reaches on as far
+// as these would at the density of its border.
 Extent1 extent_of(std::vector<double>& values) {
   const auto at = static_cast<std::ptrdiff_t>(kStrayShare * static_cast<double>(values.size()));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   const double low = values[static_cast<size_t>(at)];
   std::nth_element(values.begin(), values.end() - 1 - at, values.end());
-  return {low, *(values.end() - 1 - at)};
+  const double high = *(values.end() - 1 - at), border = kStrayShare * (high - low);
+  if (!(border > 0)) return {low, high};
+  struct Counts {
+    double beyond = 0, within = 0;
+    void add(double into) {
+      if (into >= 0 && into <= 1) ++within;
+      else if (into < 0 && into >= -1) ++beyond;
+    }
+    double further() const { return std::min(1.0, beyond / std::max(1.0, within)); }
+  } at_low, at_high;
+  for (const double v : values) {
+    at_low.add((v - low) / border);
+    at_high.add((high - v) / border);
+  }
+  return {low - border * at_low.further(), high + border * at_high.further()};
 }
 
-// Groups of points, along the wall, with gaps between them.
-std::vector<std::vector<Vec2>> split_along(std::vector<Vec2> points, double gap_m) {
-  std::sort(points.begin(), points.end(),
-            [](const Vec2& a, const Vec2& b) { return a.u != b.u ? a.u < b.u : a.v < b.v; });
-  std::vector<std::vector<Vec2>> groups;
-  for (const Vec2& p : points) {
-    if (groups.empty() || p.u - groups.back().back().u > gap_m) groups.emplace_back();
+// The median of the centimetre that holds the most distances; nothing where it holds few, as of a leaf that is open.
+std::optional<double> front_of(std::vector<double>& distances) {
+  std::sort(distances.begin(), distances.end());
+  size_t first = 0, most = 0;
+  for (size_t begin = 0, end = 0; end < distances.size(); ++end) {
+    while (distances[end] - distances[begin] > kLayer_m) ++begin;
+    if (end + 1 - begin > most) most = end + 1 - begin, first = begin;
+  }
+  if (static_cast<double>(most) < kLeastFlat * static_cast<double>(distances.size())) return {};
+  return distances[first + most / 2];
+}
+
+// Groups of points (place along the wall, distance from its plane, height), with gaps along it between them.
+std::vector<std::vector<Vec3>> split_along(std::vector<Vec3> points, double gap_m) {
+  std::sort(points.begin(), points.end(), [](const Vec3& a, const Vec3& b) {
+    return std::tie(a.x, a.z, a.y) < std::tie(b.x, b.z, b.y);
+  });
+  std::vector<std::vector<Vec3>> groups;
+  for (const Vec3& p : points) {
+    if (groups.empty() || p.x - groups.back().back().x > gap_m) groups.emplace_back();
     groups.back().push_back(p);
   }
   return groups;
 }
 
+// Points that lie together along the wall, and how far their front stands before the plane of all.
+struct Group {
+  Extent1 width, height;
+  std::optional<double> front_m;
+};
+
+std::vector<Group> groups_of(const std::vector<Vec3>& flat, double gap_m) {
+  std::vector<Group> out;
+  for (const std::vector<Vec3>& points : split_along(flat, gap_m)) {
+    if (points.size() < kFewestDrawnPoints) continue;
+    std::vector<double> s, d, z;
+    for (const Vec3& p : points) s.push_back(p.x), d.push_back(p.y), z.push_back(p.z);
+    const Group group{extent_of(s), extent_of(z), front_of(d)};
+    if (group.width.high > group.width.low && group.height.high > group.height.low)
+      out.push_back(group);
+  }
+  return out;
+}
+
+// Where the fronts of the others stand.
+double usual_front(const std::vector<Group>& groups) {
+  std::vector<double> fronts;
+  for (const Group& group : groups)
+    if (group.front_m) fronts.push_back(*group.front_m);
+  std::sort(fronts.begin(), fronts.end());
+  return fronts.empty() ? 0 : fronts[fronts.size() / 2];
+}
+
+// Frames of one facade differ in depth, and a leaf that stands open draws the plane of all: each opening has its own.
+// A wall of corrugated sheet has two fronts, and its plane between them.
 std::vector<CodedWall> rectangles(const Plane& plane, const std::vector<Vec3>& points,
-                                  double gap_m) {
-  const Vec2 out =
-      Vec2{plane.normal.x, plane.normal.y} * (1 / norm(Vec2{plane.normal.x, plane.normal.y}));
-  const Vec2 along{-out.v, out.u};
-  std::vector<Vec2> flat;
-  for (const Vec3& p : points) flat.push_back({dot(Vec2{p.x, p.y}, along), p.z});
+                                  bool has_front, double gap_m) {
+  const double level = norm(Vec2{plane.normal.x, plane.normal.y});
+  const Vec2 out = Vec2{plane.normal.x, plane.normal.y} * (1 / level), along{-out.v, out.u};
+  std::vector<Vec3> flat;
+  for (const Vec3& p : points) flat.push_back({dot(Vec2{p.x, p.y}, along), plane.distance(p), p.z});
+  const std::vector<Group> groups = groups_of(flat, gap_m);
+  const double usual_m = usual_front(groups);
   std::vector<CodedWall> found;
-  for (const std::vector<Vec2>& group : split_along(std::move(flat), gap_m)) {
-    if (group.size() < kFewestPoints) continue;
-    std::vector<double> s, z;
-    for (const Vec2& p : group) s.push_back(p.u), z.push_back(p.v);
-    const Extent1 width = extent_of(s), height = extent_of(z);
-    if (!(width.high > width.low) || !(height.high > height.low)) continue;
+  for (const Group& group : groups) {
+    const Extent1 &width = group.width, &height = group.height;
+    const double front_m = has_front ? group.front_m.value_or(usual_m) : 0;
     // The plane where it is at half the height.
     const double middle = 0.5 * (height.low + height.high);
-    const double offset =
-        (plane.offset - plane.normal.z * middle) / norm(Vec2{plane.normal.x, plane.normal.y});
+    const double offset = (plane.offset + front_m - plane.normal.z * middle) / level;
     found.push_back({out * offset + along * width.low, out * offset + along * width.high,
                      height.low, height.high});
   }
@@ -66,7 +126,7 @@ std::vector<CodedWall> rectangles(const Plane& plane, const std::vector<Vec3>& p
 }
 
 void fit_pipe(const std::vector<Vec3>& points, MeasuredShape& shape, Task& task) {
-  if (points.size() < kFewestPoints) return;
+  if (points.size() < kFewestDrawnPoints) return;
   std::vector<Vec2> flat;
   std::vector<double> z;
   for (const Vec3& p : points) flat.push_back({p.x, p.y}), z.push_back(p.z);
@@ -103,8 +163,8 @@ std::vector<MeasuredShape> target_shapes(const Segmentation& segmentation, const
     else if (segment.has_plane() && std::fabs(segment.fit.plane.normal.z) < kUprightNormal_z) {
       Plane plane = segment.fit.plane;
       plane.offset -= dot(plane.normal, origin);
-      out[i].rectangles =
-          rectangles(plane, points[i], o.geometry == "window_target" ? gap_m : INFINITY);
+      out[i].rectangles = rectangles(plane, points[i], o.geometry != "wall_target",
+                                     o.geometry == "window_target" ? gap_m : INFINITY);
     }
   }
   return out;

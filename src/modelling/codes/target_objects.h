@@ -17,8 +17,9 @@ struct MeasuredShape {
 };
 
 /// Shapes of the objects about targets, in the notes' order; empty for the others and for those without a plane.
-/// Rectangles lie in the plane of the object's points and reach as far as all but one in a hundred of them at each end;
-/// windows are apart where no point lies for gap_m along their facade. Gutters are upright: a circle fitted in plan.
+/// Rectangles are parallel to the plane of the object's points, at the front of their own, and reach as far as these
+/// would without the strays among them (one in a hundred at each end); windows are apart where no point lies for gap_m
+/// along their facade. Gutters are upright: a circle fitted in plan.
 std::vector<MeasuredShape> target_shapes(const Segmentation& segmentation, const CodedNotes& notes,
                                          const Vec3& origin, double gap_m, Task& task);
 

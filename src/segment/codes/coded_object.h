@@ -23,6 +23,9 @@ struct CodeShape {
 };
 const char* name_of(CodeShape::Kind kind);
 
+/// Of a target's object that is drawn by its points.
+constexpr size_t kFewestDrawnPoints = 20;
+
 /// From which side a door opens, seen from outside; its hinge is measured first.
 enum class Hinge { kUnknown, kLeft, kRight };
 
