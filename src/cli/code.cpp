@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <nlohmann/json.hpp>
 
+#include "cli/inputs/coded_list.h"
 #include "cli/model_files.h"
 #include "cli/options.h"
 #include "cli/output_check.h"
@@ -61,6 +62,15 @@ std::string code_warnings_csv(const Json& warnings) {
   return out;
 }
 
+/// What is most likely wrong with a list without objects.
+std::string first_warning(const Json& warnings) {
+  if (warnings.empty()) return "";
+  const Json& first = warnings.front();
+  return "; line " + first["line"].dump() + ": " + first["object"].get<std::string>() + ": " +
+         first["text"].get<std::string>() +
+         (warnings.size() > 1 ? ", and " + grouped(warnings.size() - 1) + " more" : "");
+}
+
 /// Classes and the first objects.
 void list_coded(const Console& console, const Json& notes) {
   for (const Json& c : notes["classes"])
@@ -101,8 +111,9 @@ std::string parameters_of(const char* method) {
 }
 
 void set_from_file(jalon_params* params, const char* name, const std::string& path) {
-  if (jalon_params_set_string(params, name, read_text_file(path).c_str()) != JALON_OK)
-    throw Failure{JALON_ERROR_FORMAT, path + ": " + jalon_last_error_message()};
+  if (jalon_params_set_string(params, name, read_code_file(path).c_str()) != JALON_OK)
+    throw Failure{JALON_ERROR_FORMAT,
+                  path + ": " + jalon_last_error_message() + "; save the file as UTF-8"};
 }
 
 struct Code {
@@ -168,6 +179,7 @@ struct Code {
     console.step("reading");
     const Cloud cloud = input.read(console);
     times["read"] = console.seconds();
+    require_near(codes, params, cloud);
     console.step("codes");
     Segmentation segmentation;
     must(jalon_segmenter_run(worker.get(), cloud.get(), console.task(), Out(segmentation)));
@@ -178,7 +190,8 @@ struct Code {
     must(jalon_segmentation_notes(segmentation.get(), &text));
     const Json notes = Json::parse(text);
     if (notes["objects"].empty())
-      throw Failure{JALON_ERROR_INSUFFICIENT_DATA, codes + ": no object in these codes"};
+      throw Failure{JALON_ERROR_INSUFFICIENT_DATA,
+                    codes + ": no object in these codes" + first_warning(notes["warnings"])};
     console.step("model");
     Model model;
     must(jalon_modeller_run(model_of.get(), cloud.get(), segmentation.get(), console.task(),

@@ -14,6 +14,9 @@ constexpr auto code_input_rows(const char* method) {
           "codes", method,
           "The coded points as text, a line each: ID;X;Y;Z;code, where a code is sequence or "
           "sequence.modifier. Without any the segmentation is empty."),
+      choice_row<&CodeInput::codes_unit>(
+          "codes_unit", "m|cm|mm|ft|us-ft", method,
+          "Unit of X, Y and Z of the codes; clouds are in metres, also those of files in feet."),
       string_row<&CodeInput::table>(
           "table", method,
           "Code table as JSON: names, numbers, geometry and classes of the codes; empty = the "

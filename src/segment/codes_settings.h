@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -13,9 +14,17 @@ enum class ClassScheme { kTable, kAsprs };
 /// As the codes' source has it, or with what Jalon knows better.
 enum class CodeForm { kSource, kImproved };
 
+/// In which X, Y and Z of a list are; clouds are in metres whatever their files are in.
+enum class CodeUnit { kMetre, kCentimetre, kMillimetre, kFoot, kUsFoot };
+inline double metres_of(CodeUnit unit) {
+  constexpr double kMetres[] = {1, 0.01, 0.001, 0.3048, 1200.0 / 3937.0};
+  return kMetres[static_cast<size_t>(unit)];
+}
+
 /// What every method by codes is given.
 struct CodeInput {
   std::string codes;  ///< the list as text
+  CodeUnit codes_unit = CodeUnit::kMetre;
   std::string table;  ///< JSON; "" = the method's ready-made one
   ClassScheme classes = ClassScheme::kTable;
   CodeForm form = CodeForm::kSource;

@@ -39,7 +39,9 @@ Segmentation segment_by_survey_codes(const CloudPtr& cloud, const SurveyCodeSett
   StepClock clock(task);
   const CodeTable table =
       code_table_from_json(settings.input.table.empty() ? kSurveyCodeTable : settings.input.table);
-  CodedObjects objects = grouped_objects(read_code_list(settings.input.codes, table), table);
+  const CodeList list =
+      read_code_list(settings.input.codes, table, metres_of(settings.input.codes_unit));
+  CodedObjects objects = grouped_objects(list, table);
   give_shapes(table, objects);
   clock.done("codes");
   std::vector<uint32_t> object_of_point = [&] {

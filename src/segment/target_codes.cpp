@@ -51,7 +51,9 @@ Segmentation segment_by_target_codes(const CloudPtr& cloud, const TargetCodeSett
   StepClock clock(task);
   const CodeTable table =
       code_table_from_json(settings.input.table.empty() ? kTargetCodeTable : settings.input.table);
-  CodedObjects objects = grouped_objects(read_code_list(settings.input.codes, table), table);
+  const CodeList list =
+      read_code_list(settings.input.codes, table, metres_of(settings.input.codes_unit));
+  CodedObjects objects = grouped_objects(list, table);
   clock.done("codes");
   std::vector<uint32_t> owner = owners(*cloud, objects, settings, clock, task);
   ProgressSpan span(task, kStepsShare, 1, "segments");

@@ -190,6 +190,26 @@ lacks 'warning' compare hall.xyz hall_ft.xyz -o feet --compared-unit ft
 says 'warning: .*share .* of their space: .*as if inside_ft.xyz were in feet; --compared-unit' compare inside.xyz inside_ft.xyz -o inside
 says 'warning: .*lie 995.0 apart' compare wall.xyz far.xyz -o far --force
 
+# A list of codes that lies elsewhere than its scan, or was saved as no UTF-8: the likely cause, before anything is computed.
+printf '1;30;58;2;300.2\n2;33;58;7;300.4\n3;33;59;7;300.4\n' >codes.txt
+awk -F';' '{ OFS = ";"; print $1, $3, $2, $4, $5 }' codes.txt >codes_yx.txt
+awk -F';' '{ OFS = ";"; for (i = 2; i < 5; ++i) $i = $i / 0.3048; print }' codes.txt | tee codes_ft.txt | tr ';' '\t' >codes_ft_tab.txt
+awk -F';' '{ OFS = ";"; print $1, $2 + 1000, $3, $4, $5 }' codes.txt >codes_far.txt
+printf '\377\3761\000;\000' >codes_utf16.txt
+printf 'code\n' >codes_words.txt
+ends 5 'codes_yx.txt: none of its points lies within 10 m of the scan; with X and Y exchanged they do' code hall.xyz codes_yx.txt -o new --method survey
+ends 5 'codes_ft.txt: none .* taken for feet they do: see --set codes_unit=ft' code hall.xyz codes_ft.txt -o new --method survey
+ends 5 'codes.txt: none .* taken for metres they do' code hall.xyz codes.txt -o new --method survey --set codes_unit=ft
+ends 5 'codes.txt: none .* the scan is in feet: see --unit ft' code hall_ft.xyz codes.txt -o new --method survey
+ends 5 'codes_far.txt: none .* are both in one system' code hall.xyz codes_far.txt -o new --method survey
+ends 3 'codes_utf16.txt: is UTF-16; save the file as UTF-8' code hall.xyz codes_utf16.txt -o new --method survey
+ends 3 'empty.las: is empty' code hall.xyz empty.las -o new --method survey
+ends 3 'empty.las: is empty' code hall.xyz codes.txt -o new --method survey --table empty.las
+ends 3 'folder: it is a folder' code hall.xyz folder -o new --method survey
+ends 3 'codes_words.txt: .*1 columns|code list, line 1: 1 columns' code hall.xyz codes_words.txt -o new --method survey
+ends 2 'code table: no JSON' code hall.xyz codes.txt -o new --method survey --table words.txt
+lacks 'outside the cloud' code hall.xyz codes_ft_tab.txt -o coded_ft --method survey --set codes_unit=ft
+
 # Units: metres where the file or an option says so, and no guess where nothing does.
 says 'size .* 3\.[0-9]+ units$' info wall.xyz
 says 'lengths are in the units of wall.xyz, not named there and taken for metres; --unit names them' info wall.xyz

@@ -30,6 +30,14 @@ std::vector<std::string_view> parts_of(std::string_view text, char separator) {
   }
 }
 
+// Spreadsheets end lines with the separator of a column that is empty.
+std::vector<std::string_view> columns_of(std::string_view line) {
+  std::vector<std::string_view> columns =
+      parts_of(line, line.find(';') != std::string_view::npos ? ';' : '\t');
+  while (columns.size() > kListColumns && columns.back().empty()) columns.pop_back();
+  return columns;
+}
+
 bool read_code(std::string_view text, CodedPoint& point) {
   const size_t dot = text.find('.');
   if (!parse_integer(text.substr(0, dot), point.sequence) || point.sequence < 0) return false;
@@ -67,9 +75,10 @@ class SeenIds {
     if (is_new) return;
     const Line& before = first->second;
     if (before.point.position == point.position && before.codes != codes) return;
-    list.warnings.push_back(
-        {point.line, "point " + point.id,
-         "its id stands in line " + std::to_string(before.point.line) + " already: both are used"});
+    const bool is_same = before.point.position == point.position;
+    list.warnings.push_back({point.line, "point " + point.id,
+                             "its id stands in line " + std::to_string(before.point.line) +
+                                 " already" + (is_same ? "" : ": both are used")});
   }
 
  private:
@@ -97,18 +106,18 @@ void add_codes(std::string_view text, const CodedPoint& bare, const CodeTable& t
 
 }  // namespace
 
-CodeList read_code_list(std::string_view text, const CodeTable& table) {
+CodeList read_code_list(std::string_view text, const CodeTable& table, double unit_m) {
   constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // of a text that a spreadsheet saved
   if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   CodeList list;
   SeenIds seen;
   bool first_line = true;
   size_t number = 0;
-  for (const std::string_view raw : parts_of(text, '\n')) {
+  const bool has_feeds = text.find('\n') != std::string_view::npos;  // old files end lines by '\r'
+  for (const std::string_view raw : parts_of(text, has_feeds ? '\n' : '\r')) {
     ++number;
     if (raw.empty() || raw.front() == '#') continue;
-    const std::vector<std::string_view> columns =
-        parts_of(raw, raw.find(';') != std::string_view::npos ? ';' : '\t');
+    const std::vector<std::string_view> columns = columns_of(raw);
     const bool may_be_heading = first_line;
     first_line = false;
     CodedPoint point;
@@ -123,6 +132,7 @@ CodeList read_code_list(std::string_view text, const CodeTable& table) {
            number, point.id.c_str(),
            has_decimal_comma(columns) ? "; decimals stand behind a point, not a comma" : "");
     }
+    point.position = point.position * unit_m;
     seen.add(point, columns[4], list);
     add_codes(columns[4], point, table, list);
   }

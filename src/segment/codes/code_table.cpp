@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/codes/code_table.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -46,9 +47,27 @@ std::string text_member(const JsonValue& object, const char* what) {
   return value->text;
 }
 
+// A word that is none of these would be passed over unsaid, as would the thickness that it was to tell.
+void require_known(const JsonValue& object) {
+  constexpr std::array<std::string_view, 7> kMembers{"from",  "to",         "name",  "geometry",
+                                                     "class", "distance_m", "hinged"};
+  for (const JsonValue& member : JsonChildren(object))
+    if (std::find(kMembers.begin(), kMembers.end(), member.name) == kMembers.end())
+      fail(Status::kFormat,
+           "code table: a code has no \"%s\"; it has from, to, name, geometry, class, distance_m "
+           "and hinged",
+           std::string(member.name).c_str());
+}
+
+bool has_class(CodeGeometry geometry) {
+  return geometry != CodeGeometry::kIgnored && geometry != CodeGeometry::kPoint &&
+         geometry != CodeGeometry::kLine;
+}
+
 CodeRow row_of(const JsonValue& object) {
   if (object.kind != JsonValue::Kind::kObject)
     fail(Status::kFormat, "code table: \"codes\" holds objects");
+  require_known(object);
   if (find_member(object, "from") == nullptr)
     fail(Status::kFormat, "code table: each code has a number \"from\"");
   CodeRow row;
@@ -56,6 +75,9 @@ CodeRow row_of(const JsonValue& object) {
   row.to = member(object, "to", kMostSequence, row.from);
   row.name = text_member(object, "name");
   row.geometry = geometry_of(text_member(object, "geometry"));
+  if (has_class(row.geometry) && find_member(object, "class") == nullptr)
+    fail(Status::kFormat, "code table: %s has no \"class\", the number of its points' class",
+         row.name.c_str());
   row.class_code = member(object, "class", kMostClass, 0);
   if (const JsonValue* distance = find_member(object, "distance_m")) {
     if (!distance->is_number() || !(distance->number > 0 && distance->number < kMostDistance_m))
@@ -79,6 +101,14 @@ CodeModifiers modifiers_of(const JsonValue& object) {
   return m;
 }
 
+std::vector<JsonValue> json_of(std::string_view text) {
+  try {
+    return read_json(text);
+  } catch (const Error& error) {
+    fail(error.status(), "code table: %s", error.what());
+  }
+}
+
 void require_distinct(const CodeTable& table) {
   for (size_t i = 0; i < table.rows.size(); ++i)
     for (size_t k = 0; k < i; ++k)
@@ -98,7 +128,7 @@ const CodeRow* CodeTable::find(int64_t sequence) const {
 }
 
 CodeTable code_table_from_json(std::string_view text) {
-  const std::vector<JsonValue> read = read_json(text);
+  const std::vector<JsonValue> read = json_of(text);
   const JsonValue& top = read.front();
   if (top.kind != JsonValue::Kind::kObject) fail(Status::kFormat, "code table: no JSON object");
   CodeTable table;

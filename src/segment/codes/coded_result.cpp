@@ -107,11 +107,16 @@ void warn_of_empty(const Cloud& cloud, std::span<const uint32_t> object_of_point
                               "point " + farthest->id + " lies " +
                                   std::to_string(static_cast<int64_t>(most)) +
                                   " m outside the cloud"});
-    const bool has_space = object.shape.kind != CodeShape::Kind::kNone ||
-                           object.row.geometry >= CodeGeometry::kWallTarget;
+    const bool is_target = object.row.geometry >= CodeGeometry::kWallTarget;
+    const bool has_space = is_target || object.shape.kind != CodeShape::Kind::kNone;
     if (points[i] == 0 && object.row.class_code != 0 && has_space)
       all.warnings.push_back(
           {object.points.front().line, object.name, "holds no point of the cloud"});
+    else if (points[i] < kFewestDrawnPoints && is_target)
+      all.warnings.push_back({object.points.front().line, object.name,
+                              "holds " + std::to_string(points[i]) +
+                                  (points[i] == 1 ? " point" : " points") +
+                                  " of the cloud, too few to be drawn"});
   }
   std::stable_sort(all.warnings.begin(), all.warnings.end(),
                    [](const CodeWarning& a, const CodeWarning& b) { return a.line < b.line; });

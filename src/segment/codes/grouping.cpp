@@ -5,10 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
+
+#include "base/text_number.h"
 
 namespace jalon {
 
 namespace {
+
+// Twice the precision of a survey in plan (1 to 3 mm in the source's), and its pole's.
+constexpr double kRepeated_m = 0.01;
 
 bool is_linkage(CodeGeometry g) {
   return g == CodeGeometry::kPrism || g == CodeGeometry::kOutline || g == CodeGeometry::kPipe ||
@@ -33,7 +39,7 @@ class Grouping {
 
   void add(const CodedPoint& point) {
     const CodeRow& row = *table_.find(point.sequence);
-    if (row.geometry == CodeGeometry::kIgnored) return;
+    if (row.geometry == CodeGeometry::kIgnored || is_repeated(row, point)) return;
     if (is_linkage(row.geometry)) link(row, point);
     else if (is_cylinder_point(row.geometry)) join_cylinder(row, point);
     else if (const size_t n = points_of_opening(row.geometry)) join_opening(row, point, n);
@@ -43,12 +49,29 @@ class Grouping {
   void end() {
     for (auto& [sequence, object] : linkages_) finish(std::move(object));
     for (auto& [sequence, object] : openings_)
-      incomplete(object, points_of_opening(object.row.geometry));
+      incomplete(object, points_of_opening(object.row.geometry),
+                 "; before it a point of this code may be missing or too many");
     if (!cylinder_.points.empty()) incomplete(cylinder_, kCylinderPoints);
   }
 
  private:
   static constexpr size_t kCylinderPoints = 3;
+
+  // A point measured twice would make corners of two windows of all that follow it.
+  bool is_repeated(const CodeRow& row, const CodedPoint& point) {
+    if (row.geometry == CodeGeometry::kPoint) return false;
+    const auto [before, is_first] = last_.try_emplace(point.sequence, point);
+    const CodedPoint last = std::exchange(before->second, point);
+    const double apart_m = norm(point.position - last.position);
+    if (is_first || last.line == point.line || last.modifier != point.modifier ||
+        apart_m > kRepeated_m)
+      return false;
+    out_.warnings.push_back({point.line, row.name + " " + point.id,
+                             "lies " + text_of(1000 * apart_m, 0) + " mm from point " + last.id +
+                                 " of line " + std::to_string(last.line) +
+                                 ", which has the same code: measured twice, used once"});
+    return true;
+  }
 
   static CodedObject begun(const CodeRow& row, const CodedPoint& point) {
     CodedObject object;
@@ -60,10 +83,10 @@ class Grouping {
 
   void finish(CodedObject object) { out_.objects.push_back(std::move(object)); }
 
-  void incomplete(const CodedObject& object, size_t wanted) {
+  void incomplete(const CodedObject& object, size_t wanted, const char* hint = "") {
     out_.warnings.push_back({object.points.back().line, object.name,
                              "has " + std::to_string(object.points.size()) + " of " +
-                                 std::to_string(wanted) + " points: left out"});
+                                 std::to_string(wanted) + " points: left out" + hint});
   }
 
   // A start ends the object before it; every other point belongs to the one that is under way.
@@ -119,6 +142,7 @@ class Grouping {
 
   const CodeTable& table_;
   CodedObjects& out_;
+  std::map<int64_t, CodedPoint> last_;                  // by sequence
   std::map<int64_t, CodedObject> linkages_, openings_;  // under way, by sequence
   CodedObject cylinder_;
 };

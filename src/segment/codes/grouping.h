@@ -8,7 +8,8 @@ namespace jalon {
 
 /// The points of a list joined to objects, without their shapes: linkages per sequence from one start to the next,
 /// openings by twos, threes or fours of one sequence, cylinders of centre, edge and top, each target by itself.
-/// Sequences may be interleaved. What is incomplete gives a warning that names line and object, and no object.
+/// Sequences may be interleaved. What is incomplete gives a warning that names line and object, and no object; so does
+/// a point less than 1 cm from the one before it with the same code, which was measured twice and is used once.
 CodedObjects grouped_objects(const CodeList& list, const CodeTable& table);
 
 }  // namespace jalon

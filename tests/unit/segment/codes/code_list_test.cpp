@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "base/error.h"
+#include "segment/codes_settings.h"
 #include "unit/segment/codes/annex.h"
 
 using namespace jalon;
@@ -43,6 +44,26 @@ TEST_CASE("code_list__splits_sequence_and_modifier_and_several_codes") {
   CHECK(list.points[1].modifier == kNoModifier);
   CHECK(list.points[2].id == "A8");
   CHECK(list.points[2].modifier == 0);
+}
+
+TEST_CASE("code_list__takes_lines_as_programs_end_them_and_empty_columns_behind_the_code") {
+  for (const char* text : {"1;2;3;4;360\r5;6;7;8;361", "1;2;3;4;360\r\n5;6;7;8;361\r\n",
+                           "1;2;3;4;360;\n5;6;7;8;361;;;\n"}) {
+    CAPTURE(text);
+    const CodeList list = read(text);
+    REQUIRE(list.points.size() == 2);
+    CHECK(list.points[1].line == 2);
+    CHECK(list.points[1].sequence == 361);
+  }
+  CHECK_THROWS_WITH_AS(read("1;2;3;4;360;note"), doctest::Contains("6 columns"), Error);
+}
+
+TEST_CASE("code_list__lengths_of_another_unit_become_metres") {
+  const CodeTable table = code_table_from_json(kSurveyCodeTable);
+  CHECK(read_code_list("1;10;20;30;360", table, 0.3048).points.at(0).position.y ==
+        doctest::Approx(6.096));
+  CHECK(metres_of(CodeUnit::kMetre) == 1);
+  CHECK(metres_of(CodeUnit::kUsFoot) / metres_of(CodeUnit::kFoot) == doctest::Approx(1.000002));
 }
 
 TEST_CASE("code_list__takes_tabs") {

@@ -41,6 +41,11 @@ TEST_CASE("code_table__reads_a_table_of_ones_own") {
   CHECK(table.find(8)->name == "kerb");
 }
 
+TEST_CASE("code_table__what_is_no_json_is_told_of_the_table") {
+  CHECK_THROWS_WITH_AS(code_table_from_json("from;to\n"), doctest::Contains("code table: no JSON"),
+                       Error);
+}
+
 TEST_CASE("code_table__refuses_what_is_no_table_and_says_why") {
   const auto refused = [](const char* text, const char* part) {
     CAPTURE(text);
@@ -68,4 +73,7 @@ TEST_CASE("code_table__refuses_what_is_no_table_and_says_why") {
                         {"from": 5, "name": "y", "geometry": "line"}]})",
           "share");
   refused(R"({"separator": ".", "codes": []})", "separator");
+  refused(R"({"codes": [{"from": 3, "name": "x", "geometry": "prism"}]})", "x has no \"class\"");
+  refused(R"({"codes": [{"from": 3, "name": "x", "geometry": "line", "distance": 1}]})",
+          "no \"distance\"");
 }

@@ -68,6 +68,23 @@ TEST_CASE("grouping__sequences_may_be_interleaved") {
   CHECK(object_named(all, "gutter 8")->points.back().id == "12");
 }
 
+TEST_CASE("grouping__a_point_measured_twice_is_used_once_and_told") {
+  // Else the second window would be of the first one's last corner, and so on to the end of the list.
+  const CodedObjects all = surveyed(
+      "1;0;0;1;360\n2;2;0;2;360\n3;2.002;0;2;360\n4;4;0;1;360\n5;6;0;2;360\n6;6;0;0;408\n"
+      "7;6;0;0;408\n8;6.04;0;0;409\n9;6;0;3;410\n");
+  REQUIRE(object_named(all, "window 4") != nullptr);
+  CHECK(object_named(all, "window 4")->points.back().id == "5");
+  CHECK(object_named(all, "gutter 6") != nullptr);
+  CHECK(all.objects.size() == 3);
+  CHECK(warning_of(all, "window 3").line == 3);
+  CHECK(warning_of(all, "window 3").text.find("2 mm from point 2 of line 2") != std::string::npos);
+  CHECK(warning_of(all, "gutter 7").line == 7);
+  CHECK(all.warnings.size() == 2);
+  // Of one point two codes are two points.
+  CHECK(surveyed("1;0;0;1;360+360\n").warnings[0].text.find("above") != std::string::npos);
+}
+
 TEST_CASE("grouping__a_closing_point_ends_its_linkage") {
   const CodedObjects all = surveyed(
       "1;0;0;1;365.2\n2;1;0;1;365.4\n3;1;0;2;365.0\n4;5;0;1;365.4\n5;8;0;1;365.2\n6;9;0;1;365.4\n"
