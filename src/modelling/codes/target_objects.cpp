@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <map>
 #include <optional>
 #include <tuple>
 
@@ -17,8 +19,11 @@ namespace {
 constexpr double kStrayShare = 0.01;      // of the points, at each end of an extent
 constexpr double kUprightNormal_z = 0.5;  // steeper planes are no walls, doors or windows
 constexpr double kLayer_m = 0.01;         // of a front: five times the noise of a scanner
-constexpr double kLeastFlat = 1.0 / 3;    // of an opening's points in the layer of its front
-constexpr double kOffPipe_m = 0.01;       // five times the noise of a scanner
+constexpr double kDenseBin_m = 0.05, kDenseShare = 0.2;  // of a door: beside panes half is frame
+constexpr int64_t kMostThinBins = 3;     // what stood before a leaf hides some of it
+constexpr double kTargetReach_m = 0.08;  // half the diagonal of 10 x 10 cm, and noise
+constexpr double kLeastFlat = 1.0 / 3;   // of an opening's points in the layer of its front
+constexpr double kOffPipe_m = 0.01;      // five times the noise of a scanner
 constexpr double kThinPipe_m = 0.01, kThickPipe_m = 0.3;  // radii of downpipes
 
 struct Extent1 {
@@ -74,6 +79,36 @@ std::vector<std::vector<Vec3>> split_along(std::vector<Vec3> points, double gap_
   return groups;
 }
 
+// Of points (place along the wall, distance from its plane, height) those in the bins about a target's that hold a
+// fifth of what full ones do, along one axis: a door reaches to its frame, and what is strewn over the wall beside
+// it is none. The target itself is scanned more densely.
+std::vector<Vec3> dense_about(const std::vector<Vec3>& points, const Vec3& target, int axis) {
+  std::map<int64_t, double> counts;
+  const auto bin_of = [&](const Vec3& p) {
+    return static_cast<int64_t>(std::floor((p[axis] - target[axis]) / kDenseBin_m));
+  };
+  for (const Vec3& p : points)
+    if (norm(Vec2{p.x - target.x, p.z - target.z}) > kTargetReach_m) ++counts[bin_of(p)];
+  std::vector<double> sizes;
+  for (const auto& [bin, count] : counts) sizes.push_back(count);
+  if (sizes.empty()) return points;
+  const auto full = sizes.end() - 1 - static_cast<std::ptrdiff_t>(sizes.size() / 10);
+  std::nth_element(sizes.begin(), full, sizes.end());
+  const double least = kDenseShare * *full;
+  const auto reach_of = [&](int64_t step) {
+    int64_t reach = 0;
+    for (int64_t bin = step; std::abs(bin - reach) <= kMostThinBins + 1; bin += step)
+      if (const auto found = counts.find(bin); found != counts.end() && found->second >= least)
+        reach = bin;
+    return reach;
+  };
+  const int64_t low = reach_of(-1), high = reach_of(1);
+  std::vector<Vec3> out;
+  for (const Vec3& p : points)
+    if (bin_of(p) >= low && bin_of(p) <= high) out.push_back(p);
+  return out;
+}
+
 // Points that lie together along the wall, and how far their front stands before the plane of all.
 struct Group {
   Extent1 width, height;
@@ -105,11 +140,15 @@ double usual_front(const std::vector<Group>& groups) {
 // Frames of one facade differ in depth, and a leaf that stands open draws the plane of all: each opening has its own.
 // A wall of corrugated sheet has two fronts, and its plane between them.
 std::vector<CodedWall> rectangles(const Plane& plane, const std::vector<Vec3>& points,
-                                  bool has_front, double gap_m) {
+                                  bool has_front, double gap_m, const Vec3* target) {
   const double level = norm(Vec2{plane.normal.x, plane.normal.y});
   const Vec2 out = Vec2{plane.normal.x, plane.normal.y} * (1 / level), along{-out.v, out.u};
   std::vector<Vec3> flat;
   for (const Vec3& p : points) flat.push_back({dot(Vec2{p.x, p.y}, along), plane.distance(p), p.z});
+  if (target != nullptr) {
+    const Vec3 place{dot(Vec2{target->x, target->y}, along), 0, target->z};
+    for (const int axis : {0, 2}) flat = dense_about(flat, place, axis);
+  }
   const std::vector<Group> groups = groups_of(flat, gap_m);
   const double usual_m = usual_front(groups);
   std::vector<CodedWall> found;
@@ -163,8 +202,11 @@ std::vector<MeasuredShape> target_shapes(const Segmentation& segmentation, const
     else if (segment.has_plane() && std::fabs(segment.fit.plane.normal.z) < kUprightNormal_z) {
       Plane plane = segment.fit.plane;
       plane.offset -= dot(plane.normal, origin);
-      out[i].rectangles = rectangles(plane, points[i], o.geometry != "wall_target",
-                                     o.geometry == "window_target" ? gap_m : INFINITY);
+      const Vec3 target = o.surveyed.empty() ? Vec3{} : o.surveyed.front().place - origin;
+      out[i].rectangles =
+          rectangles(plane, points[i], o.geometry != "wall_target",
+                     o.geometry == "window_target" ? gap_m : INFINITY,
+                     o.geometry == "door_target" && !o.surveyed.empty() ? &target : nullptr);
     }
   }
   return out;

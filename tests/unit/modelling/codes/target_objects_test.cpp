@@ -36,3 +36,18 @@ TEST_CASE("target_shapes__reach_as_far_as_their_points_but_for_strays") {
   // A gap wider than the wall between them makes one of the two windows.
   CHECK(target_shapes(coded, notes, {}, 1.5, task)[2].rectangles.size() == 1);
 }
+
+TEST_CASE("target_shapes__a_door_ends_at_its_frame_whatever_is_strewn_beside_it") {
+  TargetHouse house;
+  for (int i = 0; i < 300; ++i)  // 6 % of the door's points, in its plane
+    house.add({2.05 + 0.95 * (i % 20) / 20, 0.12, 0.05 + 0.127 * (i / 20)}, 2);
+  const Segmentation coded = house.coded(house.targets);
+  const CodedNotes notes = read_coded_notes(coded.notes_json);
+  Task task;
+  const auto shapes = target_shapes(coded, notes, {}, 0.25, task);
+  for (size_t i = 0; i < shapes.size(); ++i)
+    if (notes.objects[i].geometry == "door_target") {
+      CHECK(notes.objects[i].points > 5200);
+      CHECK(std::fabs(shapes[i].rectangles.at(0).length_m() - 1) < 0.025);
+    }
+}
