@@ -13,6 +13,7 @@
 #include "cloud/neighbourhoods.h"
 #include "cloud/operations.h"
 #include "cloud/surface_classes.h"
+#include "spatial/partition.h"
 
 namespace jalon {
 
@@ -218,6 +219,7 @@ Cloud with_features(const Cloud& cloud, const FeaturesSettings& settings, Task& 
         FieldInfo{kInfos[f].name, ElementType::kFloat32, 1, kInfos[f].unit, kInfos[f].meaning},
         cloud.size());
     out[f] = columns[f]->values<float>().data();
+    have_pages(out[f], cloud.size(), task);
   }
   Cloud result = cloud;
   ProgressSpan span(task, 0.2, 1, "features");
