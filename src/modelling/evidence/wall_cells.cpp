@@ -9,6 +9,7 @@
 #include "base/parallel.h"
 #include "modelling/evidence/cell_classes.h"
 #include "modelling/evidence/set_back.h"
+#include "modelling/plane/lone_points.h"
 #include "modelling/plane/point_block.h"
 #include "modelling/plane/point_stations.h"
 #include "modelling/plane/spacing.h"
@@ -23,6 +24,8 @@ constexpr double kMarginCells = 2;
 constexpr double kWallCellsSigmas = 4;
 constexpr double kFlat = 0.05;  // sine of rays too flat for the plane to say where they cross it
 constexpr double kAlmost_m = 0.008, kAlmostSigmas = 2;
+// Rooms seen through windows lie two to four times as far as the wall, at a slant: their points stand so much wider.
+constexpr double kLoneSpacings = 10;
 constexpr double kSameWayCosine = 0.966;  // 15 degrees
 constexpr size_t kWallCellsPointsPerChunk = 1 << 15;
 
@@ -95,6 +98,18 @@ Sight prepared(const Segmentation& segmentation, const CellSource& source,
   return sight;
 }
 
+// Within which a point that tells something has another one: of the wall with the most points.
+double lone_distance(const std::vector<Sight>& sights, std::span<const CellSource> sources) {
+  size_t most = 0;
+  double spacing_m = 0;
+  for (size_t s = 0; s < sights.size(); ++s)
+    if (sources[s].points.size() > most) {
+      most = sources[s].points.size();
+      spacing_m = sights[s].out.spacing_m;
+    }
+  return kLoneSpacings * stepped_length(spacing_m);
+}
+
 // Where the ray from the eye to the point crosses the plane, and on which side it ends.
 void look_along_ray(Sight& sight, const Vec3& eye, const Vec3& p, double w) {
   const double height = sight.height_of(eye), fall = height - w;
@@ -151,7 +166,7 @@ struct SightBlock {
 };
 
 void look_at(Sight& sight, const CellSetting& setting, const Cloud& cloud,
-             std::span<const uint32_t> labels, SightBlock& block) {
+             std::span<const uint32_t> labels, const LonePoints& lone, SightBlock& block) {
   block.place(sight.out);
   for (size_t k = 0; k < block.points.count(); ++k) {
     const Station* station = block.stations[k];
@@ -159,6 +174,7 @@ void look_at(Sight& sight, const CellSetting& setting, const Cloud& cloud,
     const double w = block.w[k];
     const bool has_eye = station != nullptr;
     if (!has_eye && (w < -setting.deep_m || w > setting.before_m)) continue;
+    if (std::fabs(w) > sight.out.on_m && lone.has(i)) continue;
     const uint8_t what = mark_across(sight, setting, w, labels[i], has_eye);
     if (what != 0) sight.mark_cell(block.column[k], block.row[k], what, w);
     if (has_eye && std::fabs(w) > sight.out.on_m)
@@ -180,6 +196,7 @@ std::vector<WallCells> wall_cells(const Segmentation& segmentation,
       sights[s] = prepared(segmentation, sources[s], setting, task);
   });
   // 2. What the points show of each.
+  const LonePoints lone(cloud, labels, lone_distance(sights, sources), task);
   const size_t n = sources.empty() ? 0 : cloud.size();
   // Blocks of neighbours are apart from most walls. Rays go far: their points stay in their stations' order.
   const auto tree = n != 0 && cloud.stations.empty() ? cloud.octree(task) : nullptr;
@@ -192,7 +209,7 @@ std::vector<WallCells> wall_cells(const Segmentation& segmentation,
       block.find_stations(stations);
       for (Sight& sight : sights)
         if (!sight.marks.empty() && !block.is_apart(sight.out, setting))
-          look_at(sight, setting, cloud, labels, block);
+          look_at(sight, setting, cloud, labels, lone, block);
     }
   });
   // 3. One state a cell.

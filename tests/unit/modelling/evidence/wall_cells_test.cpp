@@ -161,6 +161,26 @@ TEST_CASE("wall_cells__a_station_behind_the_plane_tells_nothing_of_what_is_befor
   CHECK(state_at(cells, 3, 1.3) == WallState::kEmpty);
 }
 
+TEST_CASE("wall_cells__a_stray_point_tells_nothing_and_two_beside_each_other_do") {
+  const auto state_with = [](const std::vector<Vec3>& unlabelled) {
+    Segmentation segmentation = walls::segmentation_of({holed_wall(), unlabelled});
+    const auto given = segmentation.labels->values<uint32_t>();
+    const auto labels = std::make_shared<Column>(segmentation.labels->info(), given.size());
+    for (size_t i = 0; i < given.size(); ++i) labels->values<uint32_t>()[i] = given[i] == 1 ? 1 : 0;
+    segmentation.labels = labels;
+    segmentation.segments.resize(1);
+    std::vector<uint32_t> points(holed_wall().size());
+    std::iota(points.begin(), points.end(), 0u);
+    const Segment& wall = segmentation.segments[0];
+    const CellSource source{segment_frame(segmentation, wall, points), points, wall.fit.sigma, 1};
+    Task task;
+    return state_at(wall_cells(segmentation, {&source, 1}, {}, task).at(0), 2, 1.3);
+  };
+  CHECK(state_with({{2, 0.8, 1.3}}) == WallState::kEmpty);
+  CHECK(state_with({{2, 0.8, 1.3}, {5, 0.8, 1.3}}) == WallState::kEmpty);
+  CHECK(state_with({{2, 0.8, 1.3}, {2.1, 0.8, 1.3}}) == WallState::kThrough);
+}
+
 TEST_CASE("wall_cells__are_the_same_with_one_thread_and_four") {
   RandomStream random(4, 40);
   std::vector<Vec3> clutter;

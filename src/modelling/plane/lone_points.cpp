@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/plane/lone_points.h"
+
+#include <array>
+#include <atomic>
+
+#include "base/parallel.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr size_t kLoneGrain = 1 << 14;
+
+}  // namespace
+
+LonePoints::LonePoints(const Cloud& cloud, std::span<const uint32_t> labels, double near_m,
+                       Task& task)
+    : bits_((cloud.size() + 63) / 64) {
+  const auto tree = cloud.octree(task);
+  const auto order = tree->order();
+  const double near2 = near_m * near_m;
+  parallel_for(task, order.size(), kLoneGrain, [&](size_t begin, size_t end) {
+    std::array<Neighbour, 2> found;
+    for (size_t s = begin; s < end; ++s) {
+      const uint32_t i = order[s];
+      if (labels[i] != 0) continue;
+      const Vec3 p = cloud.point(i);
+      // One that follows on the curve is near nearly always: few are searched for.
+      const auto is_near = [&](uint32_t j) { return squared_norm(cloud.point(j) - p) <= near2; };
+      if ((s > 0 && is_near(order[s - 1])) || (s + 1 < order.size() && is_near(order[s + 1])))
+        continue;
+      if (tree->knn(p, 2, found) == 2 && found[1].squared_distance <= near2) continue;
+      std::atomic_ref<uint64_t>(bits_[i / 64])
+          .fetch_or(uint64_t{1} << i % 64, std::memory_order_relaxed);
+    }
+  });
+}
+
+}  // namespace jalon
