@@ -91,7 +91,8 @@ enum { JALON_PRIMITIVE_PLANE = 1, JALON_PRIMITIVE_SPHERE = 2, JALON_PRIMITIVE_CY
  * - "survey_codes": the objects that a coded total-station survey describes (master's thesis on
  *   feature codes for terrestrial laser scanning, University of Liege 2021). Parameter "codes" is
  *   the list as text, a line a point: ID;X;Y;Z;code in the cloud's system, where a code is sequence
- *   or sequence.modifier and several codes of a point are joined by +. Buildings are prisms of
+ *   or sequence.modifier and several codes of a point are joined by +; "codes_unit" is the unit of
+ *   its coordinates (m, cm, mm, ft, us-ft). Buildings are prisms of
  *   their upper outline and a low point, hollowed 0.24 m inside it; doors and windows rectangles
  *   from two, three or four points or outlines with straight and curved parts, cut out of the
  *   buildings; gutters cylinders from centre, edge and top, or axes with bends. Parameter "table"

@@ -94,7 +94,7 @@ TEST_CASE("view_page__clouds_share_the_points_by_their_sizes_and_0_or_nothing_gi
   const auto json = nlohmann::json::parse(script_of(html, "view-scene"));
   CHECK(json["clouds"][0]["n"] == 300);
   CHECK(json["clouds"][1]["n"] == 100);
-  CHECK(html.find("400 of 4000 points") != std::string::npos);
+  CHECK(html.find("400 of 4 000 points") != std::string::npos);
   CHECK(section_of(scene, 0).empty());
   CHECK(section_of(scene_of(std::make_shared<const Cloud>())).empty());
   CHECK(section_of({}).empty());
