@@ -48,7 +48,7 @@ class EpochWindow {
   std::vector<uint32_t> points_;     ///< of the cloud, ascending
   std::vector<uint64_t> is_inside_;  ///< one bit a point of the cloud
   std::vector<uint32_t> rank_;       ///< points inside before each 64 of the cloud
-  std::vector<uint32_t> voxels_;     ///< of pieces_, where they lie; kHeld: on a support
+  std::vector<uint32_t> voxels_;     ///< of pieces_, of each point; kHeld: on a support
   VoxelFlood pieces_{1};
 };
 
