@@ -34,12 +34,15 @@ constexpr auto kStreetDriveRows = setting_rows(
     doubles_row<&StreetDriveSettings::shift_m>("shift_m", -1e9, 1e9, "m", "",
                                                "Three numbers added to all coordinates."),
     integer_row<&StreetDriveSettings::seed>("seed", 0, 1e15, "", "",
-                                            "Of set-backs, turns, heights."));
+                                            "Of set-backs, turns, heights; of 0 set-backs and "
+                                            "turns of -0.05, 0 and 0.05 rad follow each other."));
 
 // Of the street: from its axis to the line of the fronts, between blocks, houses of a block, depth.
 constexpr double kToFronts_m = 8, kBetween_m = 3, kDepth_m = 10;
 constexpr int kHouses = 4, kOutside = 4, kInside = 3;
 constexpr double kSetBack_m = 0.3, kMostTurn_rad = 0.05;
+constexpr uint64_t kSetBacks = 5;
+constexpr uint64_t kInTurn = 0;     // the seed of a street of which nothing but heights is drawn
 constexpr double kVehicle_m = 1.2;  // the inertial unit above the ground
 
 class StreetBuilder {
@@ -83,8 +86,14 @@ class StreetBuilder {
   }
 
   void house(const Vec3& start, const Vec3& way, const Vec3& out, double front) {
-    const double set_back = kSetBack_m * static_cast<double>(random_.below(5));
-    const double turn = kMostTurn_rad * (2 * random_.uniform() - 1);
+    uint64_t setting = random_.below(kSetBacks);
+    double turned = 2 * random_.uniform() - 1;
+    if (settings_.seed == kInTurn) {
+      setting = model_.parts.size() % kSetBacks;
+      turned = static_cast<double>(model_.parts.size() % 3) - 1;
+    }
+    const double set_back = kSetBack_m * static_cast<double>(setting),
+                 turn = kMostTurn_rad * turned;
     const double height = 9 + 6 * random_.uniform();
     const uint32_t number = part("house", part_class::kBuilding);
     const Vec3 middle = start + way * (front / 2) - out * set_back;

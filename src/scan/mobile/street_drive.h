@@ -25,7 +25,9 @@ std::span<const ParamRow> street_drive_rows();
 
 /// A street of one leg or two, in an L, and the drive through it. To either side of a leg stand blocks
 /// of four houses, four blocks outside of the corner and three inside, 3 m short of the next; fronts
-/// are set back 0, 0.3 ... 1.2 m from a line 8 m from the axis and turned by up to 0.05 rad. Parts:
+/// are set back 0, 0.3 ... 1.2 m from a line 8 m from the axis and turned by up to 0.05 rad: as drawn, or, of seed 0,
+/// by the next of these five and of -0.05, 0 and 0.05 rad, so that no block is held worse than others along its street.
+/// Parts:
 /// a building a house, with its front alone, or closed, with ground and things that a model lacks (class "element").
 struct StreetDrive {
   Model model;

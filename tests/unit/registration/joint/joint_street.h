@@ -31,8 +31,10 @@ struct JointStreet {
   MobileSettings scanner;
   Cloud cloud;
 
-  JointStreet() {
-    const StreetDrive street = street_drive({});
+  explicit JointStreet(uint64_t seed = 1) {
+    StreetDriveSettings of;
+    of.seed = seed;
+    const StreetDrive street = street_drive(of);
     BuildingSettings settings;
     settings.touch_m = 2;
     Task task;

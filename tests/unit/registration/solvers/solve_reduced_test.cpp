@@ -55,10 +55,8 @@ JointTruth truth_of(const JointErrors& e, const std::vector<uint32_t>& strip_of)
   return truth;
 }
 
-}  // namespace
-
-TEST_CASE("solve_reduced__of_five_scenarios__has_standard_normal_residuals_over_draws") {
-  const JointStreet& street = joint_street();
+void are_standard_normal_over_draws(const JointStreet& street, const std::string& name,
+                                    bool is_the_texts) {
   const int draws = std::getenv("JALON_FULL") != nullptr ? 2000 : 40;
   int number = 0;
   for (const JointScenario& scenario : kJointScenarios) {
@@ -100,15 +98,15 @@ TEST_CASE("solve_reduced__of_five_scenarios__has_standard_normal_residuals_over_
     CHECK(std::fabs(whitened.mean() - 1) < 4 * whitened.standard_error());
     constexpr double kWithin = 0.9973;  // of normal values, within 3 sigma
     CHECK(std::fabs(within.mean() - kWithin) < 4 * within.standard_error());
-    MESSAGE("FIGURE joint, scenario ", number, ", ", draws, " draws: chi-square over strips ",
-            chi.mean(), " +- ", chi.standard_error(), ", whitened ", whitened.mean(), " +- ",
-            whitened.standard_error(), ", mean square of T x ", groups[kTrajectoryX].square.mean(),
-            ", blocks x ", groups[kBlocksX].square.mean(), ", facades ",
-            groups[kFacades].square.mean(), ", strips ", groups[kStrips].square.mean(),
-            ", share within 3 sigma ", within.mean());
+    MESSAGE("FIGURE joint, ", name, ", scenario ", number, ", ", draws,
+            " draws: chi-square over strips ", chi.mean(), " +- ", chi.standard_error(),
+            ", whitened ", whitened.mean(), " +- ", whitened.standard_error(),
+            ", mean square of T x ", groups[kTrajectoryX].square.mean(), ", blocks x ",
+            groups[kBlocksX].square.mean(), ", facades ", groups[kFacades].square.mean(),
+            ", strips ", groups[kStrips].square.mean(), ", share within 3 sigma ", within.mean());
     if (draws < kDrawsOfBands) continue;
     for (size_t g = 0; g < kJointGroups; ++g) {
-      MESSAGE("FIGURE joint, scenario ", number, ", ", draws, " draws, ",
+      MESSAGE("FIGURE joint, ", name, ", scenario ", number, ", ", draws, " draws, ",
               std::string(kJointGroupNames[g]),
               ": 95 % of |mean|; spreads; 95 % of max: ", bands[g].told(), ", foretold ",
               foretold[g].told(), " (worst ratio ", bands[g].worst_ratio(foretold[g]),
@@ -116,9 +114,20 @@ TEST_CASE("solve_reduced__of_five_scenarios__has_standard_normal_residuals_over_
               std::string(kStreetBands[static_cast<size_t>(number - 1)][g]));
       CHECK(bands[g].worst_ratio(foretold[g]) < 1.1);
     }
-    MESSAGE("FIGURE joint, scenario ", number, ", ", draws, " draws, ", left.told());
-    left.check_reductions(number);
+    MESSAGE("FIGURE joint, ", name, ", scenario ", number, ", ", draws, " draws, ", left.told());
+    left.are_as_foretold();
+    if (is_the_texts) left.check_reductions(number);
   }
+}
+
+}  // namespace
+
+TEST_CASE("solve_reduced__of_five_scenarios__has_standard_normal_residuals_over_draws") {
+  are_standard_normal_over_draws(joint_street(), "drawn street", false);
+}
+
+TEST_CASE("solve_reduced__of_the_texts_street__leaves_what_the_text_foretells") {
+  are_standard_normal_over_draws(JointStreet(0), "street in turn", true);
 }
 
 TEST_CASE("solve_reduced__of_five_scenarios__equals_the_dense_form") {

@@ -60,3 +60,22 @@ TEST_CASE("street_drive__straight__has_one_leg_and_its_direction") {
   for (const Vec3& a : made.trajectory.attitudes_rad) CHECK(a == Vec3{});
   CHECK(made.model.parts.size() == 28);
 }
+
+TEST_CASE("street_drive__of_seed_0__has_every_block_turned_as_much_as_the_others") {
+  StreetDriveSettings settings;
+  settings.seed = 0;
+  BuildingSettings touching;
+  touching.touch_m = 2;
+  Task task;
+  const BuildingTree tree = building_tree(street_drive(settings).model, touching, task);
+  REQUIRE(tree.blocks == 14);
+  // Angles of a block's fronts about their mean: what holds it along its street.
+  std::vector<double> least(tree.blocks, 1), most(tree.blocks, -1);
+  for (const BuildingFacade& f : tree.facades) {
+    const double along = std::fabs(f.normal.x) < 0.5 ? f.normal.x : f.normal.y;
+    least[tree.block_of(f)] = std::min(least[tree.block_of(f)], along);
+    most[tree.block_of(f)] = std::max(most[tree.block_of(f)], along);
+  }
+  for (size_t b = 0; b < tree.blocks; ++b)
+    CHECK(most[b] - least[b] == doctest::Approx(2 * std::sin(0.05)).epsilon(1e-9));
+}
