@@ -7,6 +7,7 @@
 #include "cli/options.h"
 #include "cli/output_check.h"
 #include "cli/output_folder.h"
+#include "cli/outputs/beside.h"
 #include "cli/outputs/facade_advice.h"
 
 namespace jalon::cli {
@@ -75,15 +76,21 @@ struct Facade {
     return count == 0;
   }
 
+  // Beside the model, which leaves a processor idle now and then: the cloud with its planes is known before it.
+  static void write_segments(const Segmentation& segmentation, OutputFolder& folder,
+                             Beside& beside) {
+    auto labelled = std::make_shared<Cloud>();
+    must(jalon_segmentation_cloud(segmentation.get(), Out(*labelled)));
+    const std::string ply = folder.path("segments.ply"), las = folder.path("segments.las");
+    beside.run([labelled, ply, las](jalon_task* task) {
+      for (const std::string& path : {ply, las})
+        must(jalon_cloud_write(labelled->get(), path.c_str(), nullptr, task));
+    });
+  }
+
   std::vector<std::string> write(const Console& console, const Segmentation& segmentation,
-                                 const Model& model, Json notes) const {
-    OutputFolder folder(output);
-    Cloud labelled;
-    must(jalon_segmentation_cloud(segmentation.get(), Out(labelled)));
-    must(jalon_cloud_write(labelled.get(), folder.path("segments.ply").c_str(), nullptr,
-                           console.task()));
-    must(jalon_cloud_write(labelled.get(), folder.path("segments.las").c_str(), nullptr,
-                           console.task()));
+                                 const Model& model, Json notes, OutputFolder& folder,
+                                 Beside& beside) const {
     auto names = files.write(console, segmentation.get(), model.get(), input.path, folder);
     notes["times"]["write"] = console.seconds();
     const std::string text = notes.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -92,6 +99,7 @@ struct Facade {
                                  console.task()));
     must(jalon_report_write_json(segmentation.get(), model.get(), text.c_str(),
                                  folder.path("report.json").c_str(), nullptr, console.task()));
+    beside.wait();
     folder.commit();
     names.insert(names.begin(), {"report.html", "report.json"});
     names.insert(names.end(), {"segments.las", "segments.ply"});
@@ -159,6 +167,9 @@ struct Facade {
       throw Failure{JALON_ERROR_DEGENERATE, input.path + ": " + why};
     notes["times"]["segment"] = console.seconds();
     console.step("model");
+    OutputFolder folder(output);
+    Beside beside(console);
+    write_segments(segmentation, folder, beside);
     Model model;
     must(jalon_modeller_run(model_of.get(), cloud.get(), segmentation.get(), console.task(),
                             Out(model)));
@@ -167,7 +178,7 @@ struct Facade {
     if (!hint.empty()) console.warn(hint);
     notes["times"]["model"] = console.seconds();
     console.step("writing");
-    const auto names = write(console, segmentation, model, notes);
+    const auto names = write(console, segmentation, model, notes, folder, beside);
     const Json list = planes(console, segmentation, lengths);
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
