@@ -15,8 +15,12 @@ namespace jalon {
 namespace {
 
 constexpr double kCostOfSize = 1.5;  // of log n
-constexpr double kSeenHead = 0.65;   // of the length of sloping sides
-constexpr double kRoomShare = 0.6;   // of the box's sides, about it: an arch may rise from it
+// What naming a circle costs beside a rectangle, which has a size more: of the few cells of a small window that size
+// alone would decide. log of 90, as many openings are rectangles for each round one, thrice, as kCostOfSize is thrice
+// the half of log n of minimum description length.
+constexpr double kCostOfCircle = 13.5;
+constexpr double kSeenHead = 0.65;  // of the length of sloping sides
+constexpr double kRoomShare = 0.6;  // of the box's sides, about it: an arch may rise from it
 constexpr uint32_t kRoomCells = 6;
 constexpr double kTaken = -3;
 // A wall that runs through a shape, broader than mullions are and this far within it: as much as ends a box.
@@ -59,7 +63,8 @@ class Window {
       const Vec2 span = shape.span_at((bottom + top) / 2);
       sum += (top - bottom) * (up_to(row, span.v) - up_to(row, span.u));
     }
-    return sum - cost_ * static_cast<double>(shape.size_count());
+    return sum - cost_ * static_cast<double>(shape.size_count()) -
+           (shape.kind == ShapeKind::kCircle ? kCostOfCircle : 0);
   }
   bool holds(const RingBox& box) const {
     return box.low.u >= low_.c0 && box.low.v >= low_.r0 && box.high.u <= low_.c1 &&

@@ -91,6 +91,24 @@ TEST_CASE("fitted_shape__a_rectangle_stays_a_rectangle_in_two_hundred_rasters") 
   }
 }
 
+TEST_CASE("fitted_shape__a_window_of_a_dozen_cells_is_no_circle") {
+  RandomStream random(11, 31);
+  size_t circles = 0;
+  constexpr uint64_t kRasters = 200;
+  for (uint64_t seed = 1; seed <= kRasters; ++seed) {
+    const uint32_t width = 3 + static_cast<uint32_t>(random.below(2));
+    const CellBox box{40, 20, 40 + width, 24};
+    WallCells cells = painted::cells_of(120, 100);
+    painted::paint(cells, box, WallState::kThrough);
+    // Each corner has a point of the wall beside it as often as not.
+    for (const uint32_t c : {box.c0, box.c1 - 1})
+      for (const uint32_t r : {box.r0, box.r1 - 1})
+        if (random.uniform() < 0.5) painted::paint(cells, {c, r, c + 1, r + 1}, WallState::kOn);
+    circles += fitted_shape(cells, {}, box, {}).shape.kind == ShapeKind::kCircle;
+  }
+  CHECK(circles <= kRasters / 10);  // those with all four corners of the wall: one in sixteen
+}
+
 TEST_CASE("fitted_shape__does_not_tell_a_sloping_head_without_wall_beside_it") {
   const OpeningShape gable{ShapeKind::kGable, {40, 70, 20, 60, 15, 0}};
   for (uint64_t seed = 1; seed <= 10; ++seed) {
