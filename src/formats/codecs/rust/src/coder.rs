@@ -13,13 +13,16 @@ const MOST_COUNT: u32 = 1 << LENGTH_BITS;
 const MOST_BIT_COUNT: u32 = 1 << BIT_LENGTH_BITS;
 const MOST_BIT_CYCLE: u32 = 64;
 
+const SPARE: usize = 8; // entries written together
+
 #[derive(Clone, Copy)]
 struct Cell {
     from: u16,  // of the interval, in 2^15ths
     count: u16, // how often the symbol came
 }
 
-/// How often each of some symbols comes. CELLS: one more than symbols, at least; TABLE: entries that lead to them.
+/// How often each of some symbols comes. CELLS: one more than symbols, at least; TABLE: entries that lead to them,
+/// and SPARE ones.
 pub struct Model<const CELLS: usize, const TABLE: usize> {
     until_update: u32,
     last: u32,
@@ -30,14 +33,15 @@ pub struct Model<const CELLS: usize, const TABLE: usize> {
     is_bit: bool,
 }
 /// Of up to 256 symbols.
-pub type Bytes = Model<257, 256>;
+pub type Bytes = Model<257, 264>;
 /// Of up to 33: within which power of two a number is.
-pub type Kinds = Model<34, 64>;
+pub type Kinds = Model<34, 72>;
 /// Of times: which multiple of the last step.
-pub type Multiples = Model<517, 256>;
+pub type Multiples = Model<517, 264>;
 
 impl<const CELLS: usize, const TABLE: usize> Model<CELLS, TABLE> {
-    const SHIFT: u32 = LENGTH_BITS - TABLE.trailing_zeros();
+    const ENTRIES: usize = TABLE - SPARE;
+    const SHIFT: u32 = LENGTH_BITS - Self::ENTRIES.trailing_zeros();
     /// An entry is a byte: of more symbols half of theirs.
     const HALVED: u32 = (CELLS > 257) as u32;
 
@@ -121,31 +125,44 @@ impl<const CELLS: usize, const TABLE: usize> Model<CELLS, TABLE> {
         }
         let scale = 0x8000_0000 / self.total;
         let mut sum = 0u32;
-        self.table.fill(0);
+        let mut next = 0; // entry that none of the symbols before has filled
         for (symbol, cell) in self.cells[..symbols].iter_mut().enumerate() {
             let from = (scale * sum) >> (31 - LENGTH_BITS);
             cell.from = from as u16;
             sum += u32::from(cell.count);
-            // The first entry that begins behind where the symbol does.
+            // From the first entry on that begins behind where the symbol does, as far as the next one leaves it.
             let entry = ((from + (1 << Self::SHIFT) - 1) >> Self::SHIFT) as usize;
-            if entry < TABLE {
-                self.table[entry] = (symbol >> Self::HALVED) as u8;
+            while next < entry {
+                next = lead(&mut self.table, next, (symbol - 1) >> Self::HALVED);
             }
+            next = lead(&mut self.table, entry, symbol >> Self::HALVED);
         }
-        let mut most = 0;
-        for entry in &mut self.table {
-            most = most.max(*entry);
-            *entry = most;
+        while next < Self::ENTRIES {
+            next = lead(&mut self.table, next, (symbols - 1) >> Self::HALVED);
         }
         self.cycle = ((5 * self.cycle) >> 2).min((self.last + 7) << 3);
         self.until_update = self.cycle;
     }
 }
 
+/// Has entries from the first one on lead to the symbol; which one is next.
+#[inline(always)]
+fn lead(table: &mut [u8], first: usize, symbol: usize) -> usize {
+    table[first..][..SPARE].copy_from_slice(&[symbol as u8; SPARE]);
+    first + SPARE
+}
+
 /// A model that is made when it is first asked for.
 pub type Lazy<M> = Option<Box<M>>;
+#[inline(always)]
 pub fn bytes_of(model: &mut Lazy<Bytes>, symbols: usize) -> &mut Bytes {
-    model.get_or_insert_with(|| Box::new(Bytes::new(symbols)))
+    model.get_or_insert_with(|| boxed(symbols))
+}
+/// Apart, so that loops over symbols stay small.
+#[cold]
+#[inline(never)]
+pub fn boxed<const CELLS: usize, const TABLE: usize>(symbols: usize) -> Box<Model<CELLS, TABLE>> {
+    Box::new(Model::new(symbols))
 }
 
 /// Where a stream of code stands. Behind its end come zeros: `is_past` tells so, before much is made of them.
@@ -236,7 +253,7 @@ impl<'a> Decoder<'a> {
     ) -> usize {
         let part = self.length >> length_bits;
         let place = self.value / part;
-        let entry = ((place >> Model::<CELLS, TABLE>::SHIFT) as usize).min(TABLE - 1);
+        let entry = ((place >> Model::<CELLS, TABLE>::SHIFT) as usize).min(Model::<CELLS, TABLE>::ENTRIES - 1);
         let mut symbol = usize::from(model.table[entry]) << Model::<CELLS, TABLE>::HALVED;
         // The cell behind the last one begins beyond all places.
         while u32::from(model.cells[symbol + 1].from) <= place {

@@ -2,29 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 
 //! A chunk of the point formats 6 to 8 as LASzip's third and fourth version pack it: each attribute in a stream of code
-//! of its own, foretold by what the first of them tells of returns. Points of one scanner channel, which nearly all
-//! files have; others are left to the crate.
+//! of its own, foretold by what the first of them tells of returns: here places and returns, attributes.rs has the
+//! others. Points of one scanner channel, which nearly all files have; others are left to the crate.
 
+use crate::attributes::fill_attributes;
 use crate::coder::{bytes_of, Bytes, Decoder, Lazy};
-use crate::numbers::{Colours, Integers, Median, Times};
+use crate::numbers::{Integers, Median};
 
-const CORE_BYTES: usize = 30;
-const COLOUR_BYTES: usize = 6;
-const INFRARED_BYTES: usize = 2;
+pub const CORE_BYTES: usize = 30;
+pub const COLOUR_BYTES: usize = 6;
+pub const INFRARED_BYTES: usize = 2;
 const COUNT_BYTES: usize = 4; // behind the first record
 const SIZE_BYTES: usize = 4; // of a layer
 const CORE_LAYERS: usize = 9;
 
 // Places in a record.
 const Z_AT: usize = 8;
-const INTENSITY_AT: usize = 12;
 const RETURNS_AT: usize = 14;
-const FLAGS_AT: usize = 15;
-const CLASS_AT: usize = 16;
-const USER_AT: usize = 17;
-const ANGLE_AT: usize = 18;
-const SOURCE_AT: usize = 20;
-const TIME_AT: usize = 22;
 
 /// What a record has behind what all have.
 pub struct Items {
@@ -93,18 +87,15 @@ const MOST_LEVEL: usize = 7; // of returns between this one and the last
 
 /// What the first layer tells of a point, which foretells its other attributes.
 #[derive(Clone, Copy)]
-struct Told {
-    is_single: bool,
-    order: u8, // 2: the first return, 1: the last one, 3: both
-    level: u8,
-    place_bits: u8, // of the steps of x and y, about
-    has_other_time: bool,
-    has_other_angle: bool,
-    has_other_source: bool,
+pub struct Told {
+    pub order: u8, // 2: the first return, 1: the last one, 3: both
+    pub has_other_time: bool,
+    pub has_other_angle: bool,
+    pub has_other_source: bool,
 }
 
 /// The layers, each of which ends at its size.
-struct Layers<'a> {
+pub struct Layers<'a> {
     sizes: &'a [u8],
     code: &'a [u8],
 }
@@ -116,7 +107,7 @@ impl<'a> Layers<'a> {
         Some(Layers { sizes, code })
     }
     /// None where all points have what the first one has. That the layers lie in the chunk is known.
-    fn next(&mut self) -> Option<Decoder<'a>> {
+    pub fn next(&mut self) -> Option<Decoder<'a>> {
         let (size, sizes) = self.sizes.split_first_chunk::<SIZE_BYTES>()?;
         self.sizes = sizes;
         let (layer, code) = self.code.split_at_checked(u32::from_le_bytes(*size) as usize)?;
@@ -125,46 +116,32 @@ impl<'a> Layers<'a> {
     }
 }
 
-/// All records, of which the first is there.
-struct Records<'a> {
-    bytes: &'a mut [u8],
-    record_bytes: usize,
+/// z, foretold by its last one of as many returns to the last one.
+struct Heights<'a> {
+    decoder: Option<Decoder<'a>>,
+    integers: Integers,
+    last: [i32; MOST_LEVEL + 1],
 }
 
-impl Records<'_> {
-    /// One attribute of all: next(decoder, value before, what is told of the point), where there is code; else the first
-    /// value stays. False where the code ends before them.
+impl Heights<'_> {
     #[inline(always)]
-    fn fill<const BYTES: usize>(
-        &mut self,
-        at: usize,
-        decoder: Option<Decoder>,
-        told: &[Told],
-        mut next: impl FnMut(&mut Decoder, [u8; BYTES], &Told) -> [u8; BYTES],
-    ) -> bool {
-        let mut records = self.bytes.chunks_exact_mut(self.record_bytes);
-        let mut value: [u8; BYTES] = match records.next() {
-            Some(first) => first[at..][..BYTES].try_into().unwrap(),
-            None => return true,
-        };
-        let Some(mut decoder) = decoder else {
-            records.for_each(|record| record[at..][..BYTES].copy_from_slice(&value));
-            return true;
-        };
-        for (record, told) in records.zip(told) {
-            value = next(&mut decoder, value, told);
-            record[at..][..BYTES].copy_from_slice(&value);
-            if decoder.is_past() {
-                return false;
-            }
+    fn next(&mut self, level: usize, is_single: bool, place_bits: u32) -> i32 {
+        let height = &mut self.last[level];
+        if let Some(decoder) = &mut self.decoder {
+            let context = usize::from(is_single) + (place_bits.min(18) & !1) as usize;
+            *height = self.integers.next(decoder, *height, context);
         }
-        true
+        *height
+    }
+    fn is_past(&self) -> bool {
+        self.decoder.as_ref().is_some_and(Decoder::is_past)
     }
 }
 
-/// x, y and the numbers of returns of all points; None where another channel comes.
+/// x, y, z and the numbers of returns of all points; None where another channel comes.
 fn fill_places(
     decoder: &mut Decoder,
+    heights: &mut Heights,
     records: &mut [u8],
     record_bytes: usize,
 ) -> Option<Vec<Told>> {
@@ -217,11 +194,11 @@ fn fill_places(
         record[0..4].copy_from_slice(&x.to_le_bytes());
         record[4..8].copy_from_slice(&y.to_le_bytes());
         record[RETURNS_AT] = (number | returns << 4) as u8;
+        let level = returns.abs_diff(number).min(MOST_LEVEL);
+        let z = heights.next(level, is_single, (x_integers.bits + y_integers.bits) / 2);
+        record[Z_AT..][..4].copy_from_slice(&z.to_le_bytes());
         all.push(Told {
-            is_single,
             order: 2 * u8::from(number == 1) + u8::from(number >= returns),
-            level: returns.abs_diff(number).min(MOST_LEVEL) as u8,
-            place_bits: ((x_integers.bits + y_integers.bits) / 2) as u8,
             has_other_time,
             has_other_angle: changed & 8 != 0,
             has_other_source: changed & 32 != 0,
@@ -245,150 +222,29 @@ pub fn decode(packed: &[u8], items: &Items, out: &mut [u8], within: Option<&With
         return Decoded::CutOff;
     };
     out[..record_bytes].copy_from_slice(&packed[..record_bytes]);
-    let mut records = Records { bytes: out, record_bytes };
     if let Some(mut places) = layers.next() {
-        let Some(told) = fill_places(&mut places, records.bytes, record_bytes) else {
+        let first_z = i32::from_le_bytes(out[Z_AT..][..4].try_into().unwrap());
+        let mut heights = Heights {
+            decoder: layers.next(),
+            integers: Integers::new(32, 20),
+            last: [first_z; MOST_LEVEL + 1],
+        };
+        let Some(told) = fill_places(&mut places, &mut heights, out, record_bytes) else {
             return Decoded::OfSeveralChannels;
         };
-        if places.is_past() || !fill_heights(&mut layers, &told, &mut records) {
+        if places.is_past() || heights.is_past() {
             return Decoded::CutOff;
         }
         if let Some(within) = within {
-            let mut all = records.bytes.chunks_exact(record_bytes);
+            let mut all = out.chunks_exact(record_bytes);
             count = all.rposition(|record| within.holds(record)).map_or(0, |last| last + 1);
         }
         let told = &told[..count.saturating_sub(1)];
-        if !fill_attributes(&mut layers, items, told, &mut records) {
+        if !fill_attributes(&mut layers, items, told, out, record_bytes) {
             return Decoded::CutOff;
         }
     } else if count > 1 {
         return Decoded::CutOff;
     }
     Decoded::Records(count)
-}
-
-fn fill_heights(layers: &mut Layers, told: &[Told], records: &mut Records) -> bool {
-    let mut integers = Integers::new(32, 20);
-    let first = i32::from_le_bytes(records.bytes[Z_AT..][..4].try_into().unwrap());
-    let mut heights = [first; MOST_LEVEL + 1];
-    records.fill(Z_AT, layers.next(), told, |decoder, _: [u8; 4], told| {
-        let height = &mut heights[usize::from(told.level)];
-        let context = usize::from(told.is_single) + usize::from(told.place_bits.min(18) & !1);
-        *height = integers.next(decoder, *height, context);
-        height.to_le_bytes()
-    })
-}
-
-fn models_of(count: usize) -> Vec<Lazy<Bytes>> {
-    (0..count).map(|_| None).collect()
-}
-
-/// All but place and returns; false where a layer ends before its points.
-fn fill_attributes(
-    layers: &mut Layers,
-    items: &Items,
-    told: &[Told],
-    records: &mut Records,
-) -> bool {
-    let first: [u8; CORE_BYTES] = records.bytes[..CORE_BYTES].try_into().unwrap();
-    let mut models = models_of(64);
-    let is_whole = records.fill(CLASS_AT, layers.next(), told, |decoder, [class], told| {
-        let context = usize::from(class & 31) << 1 | usize::from(told.order == 3);
-        [decoder.symbol(bytes_of(&mut models[context], 256)) as u8]
-    });
-
-    // As LASzip has them: edge, direction, four flags of the class; the channel stands between them in a record.
-    let channel = first[FLAGS_AT] & 0x30;
-    let mut models = models_of(64);
-    let is_whole = is_whole
-        && records.fill(FLAGS_AT, layers.next(), told, |decoder, [flags], _| {
-            let context = usize::from(flags >> 2 & 0x30 | flags & 15);
-            let symbol = decoder.symbol(bytes_of(&mut models[context], 64)) as u8;
-            [(symbol & 0x20) << 2 | (symbol & 0x10) << 2 | channel | symbol & 15]
-        });
-
-    let mut integers = Integers::new(16, 4);
-    let mut intensities = [u16::from_le_bytes([first[INTENSITY_AT], first[INTENSITY_AT + 1]]); 8];
-    let is_whole = is_whole
-        && records.fill(INTENSITY_AT, layers.next(), told, |decoder, _: [u8; 2], told| {
-            let order = usize::from(told.order);
-            let intensity = &mut intensities[order << 1 | usize::from(told.has_other_time)];
-            *intensity = integers.next(decoder, i32::from(*intensity), order) as u16;
-            intensity.to_le_bytes()
-        });
-
-    let mut integers = Integers::new(16, 2);
-    let is_whole = is_whole
-        && records.fill(ANGLE_AT, layers.next(), told, |decoder, angle: [u8; 2], told| {
-            if !told.has_other_angle {
-                return angle;
-            }
-            let foretold = i32::from(i16::from_le_bytes(angle));
-            (integers.next(decoder, foretold, usize::from(told.has_other_time)) as i16)
-                .to_le_bytes()
-        });
-
-    let mut models = models_of(64);
-    let is_whole = is_whole
-        && records.fill(USER_AT, layers.next(), told, |decoder, [user], _| {
-            [decoder.symbol(bytes_of(&mut models[usize::from(user / 4)], 256)) as u8]
-        });
-
-    let mut integers = Integers::new(16, 1);
-    let is_whole = is_whole
-        && records.fill(SOURCE_AT, layers.next(), told, |decoder, source: [u8; 2], told| {
-            if !told.has_other_source {
-                return source;
-            }
-            let foretold = i32::from(u16::from_le_bytes(source));
-            (integers.next(decoder, foretold, 0) as u16).to_le_bytes()
-        });
-
-    let mut times = Times::new(first[TIME_AT..].try_into().unwrap(), false);
-    let is_whole = is_whole
-        && records.fill(TIME_AT, layers.next(), told, |decoder, time: [u8; 8], told| {
-            if told.has_other_time {
-                times.next(decoder)
-            } else {
-                time
-            }
-        });
-
-    is_whole && fill_rest(layers, items, told, records)
-}
-
-/// Colours, infrared and extra bytes.
-fn fill_rest(layers: &mut Layers, items: &Items, told: &[Told], records: &mut Records) -> bool {
-    let mut at = CORE_BYTES;
-    if items.has_colour {
-        let mut colours = Colours::new(records.bytes[at..][..COLOUR_BYTES].try_into().unwrap());
-        if !records.fill(at, layers.next(), told, |decoder, _, _| colours.next(decoder)) {
-            return false;
-        }
-        at += COLOUR_BYTES;
-    }
-    if items.has_infrared {
-        let mut changed_model = None;
-        let mut models = [None, None];
-        let fill_infrared = |decoder: &mut Decoder, mut value: [u8; INFRARED_BYTES], _: &Told| {
-            let changed = decoder.symbol(bytes_of(&mut changed_model, 4));
-            for half in 0..INFRARED_BYTES {
-                if changed >> half & 1 != 0 {
-                    let step = decoder.symbol(bytes_of(&mut models[half], 256)) as u8;
-                    value[half] = value[half].wrapping_add(step);
-                }
-            }
-            value
-        };
-        if !records.fill(at, layers.next(), told, fill_infrared) {
-            return false;
-        }
-        at += INFRARED_BYTES;
-    }
-    (at..records.record_bytes).all(|at| {
-        let mut model = None;
-        records.fill(at, layers.next(), told, |decoder, [value]: [u8; 1], _| {
-            [value.wrapping_add(decoder.symbol(bytes_of(&mut model, 256)) as u8)]
-        })
-    })
 }

@@ -3,6 +3,7 @@
 
 //! The functions of ../codecs.h. Nothing unwinds into C: every entry goes through `guarded`.
 
+mod attributes;
 mod coder;
 mod e57_scans;
 mod e57_writing;

@@ -4,7 +4,7 @@
 //! What LASzip's items have in common (M. Isenburg: LASzip, 2013): whole numbers that differ little from what was
 //! foretold, running medians, GPS times, colours.
 
-use crate::coder::{bytes_of, Bytes, Decoder, Kinds, Lazy, Multiples};
+use crate::coder::{boxed, bytes_of, Bytes, Decoder, Kinds, Lazy, Multiples};
 use std::hint::select_unpredictable;
 
 const WHOLE_BITS: u32 = 8; // of a correction, foretold by a model; those below are as they are
@@ -31,14 +31,18 @@ impl Integers {
     #[inline(always)]
     pub fn next(&mut self, decoder: &mut Decoder, foretold: i32, context: usize) -> i32 {
         let symbols = self.most_bits as usize + 1;
-        let kind = self.kinds[context].get_or_insert_with(|| Box::new(Kinds::new(symbols)));
+        let kind = self.kinds[context].get_or_insert_with(|| boxed(symbols));
         let bits = decoder.symbol(kind) as u32;
         self.bits = bits;
         if bits >= 32 {
             return foretold.wrapping_add(i32::MIN);
         }
         let model = self.corrections[bits as usize].get_or_insert_with(|| {
-            Box::new(if bits == 0 { Bytes::bit() } else { Bytes::new(1 << bits.min(WHOLE_BITS)) })
+            if bits == 0 {
+                Box::new(Bytes::bit())
+            } else {
+                boxed(1 << bits.min(WHOLE_BITS))
+            }
         });
         let mut correction = decoder.symbol_or_bit(model) as u32;
         if bits > WHOLE_BITS {
@@ -132,7 +136,7 @@ impl Times {
             let last = self.last & 3;
             let others = if self.steps[last] == 0 {
                 let model =
-                    self.without_step.get_or_insert_with(|| Box::new(Kinds::new(5 + equal)));
+                    self.without_step.get_or_insert_with(|| boxed(5 + equal));
                 match decoder.symbol(model) {
                     0 if self.tells_equal => return,
                     code if code == equal => return self.new_step(decoder),
@@ -141,7 +145,7 @@ impl Times {
                 }
             } else {
                 let symbols = END_OF_MULTIPLES + 4 + equal;
-                let model = self.multiples.get_or_insert_with(|| Box::new(Multiples::new(symbols)));
+                let model = self.multiples.get_or_insert_with(|| boxed(symbols));
                 match decoder.symbol(model) {
                     code if code < END_OF_MULTIPLES => return self.multiple(decoder, code),
                     END_OF_MULTIPLES if self.tells_equal => return,
