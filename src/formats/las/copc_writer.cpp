@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "formats/files/endian.h"
+#include "formats/las/node_order.h"
 #include "formats/las/records.h"
 
 namespace jalon::las {
@@ -26,25 +27,27 @@ struct Times {
   }
 };
 
-Times times_of(const Plan& plan, Task& task) {
-  for (const StandardColumn& standard : plan.standard) {
-    const Column& column = *standard.column;
-    if (column.info().name != "gps_time") continue;
-    return visit(column.info().type, [&](auto zero) {
-      const auto values = column.values<decltype(zero)>();
-      return parallel_reduce<Times>(task, values.size(), kCopcGrain, {},
-                                    [&](size_t begin, size_t end) {
-                                      Times times;
-                                      for (size_t i = begin; i < end; ++i) {
-                                        const auto value = static_cast<double>(values[i]);
-                                        times.min = std::min(times.min, value);
-                                        times.max = std::max(times.max, value);
-                                      }
-                                      return times;
-                                    });
-    });
-  }
-  return {};
+/// Of the points' times; nullptr where the file has none.
+const Column* times_in(const Plan& plan) {
+  for (const StandardColumn& standard : plan.standard)
+    if (standard.column->info().name == "gps_time") return standard.column.get();
+  return nullptr;
+}
+
+Times span_of(const Column& column, Task& task) {
+  return visit(column.info().type, [&](auto zero) {
+    const auto values = column.values<decltype(zero)>();
+    return parallel_reduce<Times>(task, values.size(), kCopcGrain, {},
+                                  [&](size_t begin, size_t end) {
+                                    Times times;
+                                    for (size_t i = begin; i < end; ++i) {
+                                      const auto value = static_cast<double>(values[i]);
+                                      times.min = std::min(times.min, value);
+                                      times.max = std::max(times.max, value);
+                                    }
+                                    return times;
+                                  });
+  });
 }
 
 }  // namespace
@@ -62,12 +65,15 @@ Buffer<double> coordinates_in_file(const Plan& plan, const Cloud& cloud, Task& t
 }
 
 CopcWriter::CopcWriter(const Plan& plan, const Cloud& cloud, Task& task) {
-  const Times times = times_of(plan, task);
-  if (times.min <= times.max) {
-    gps_min_ = times.min;
-    gps_max_ = times.max;
-  }
   tree_ = copc_tree(coordinates_in_file(plan, cloud, task), task);
+  const Column* times = times_in(plan);
+  if (times == nullptr) return;
+  const Times span = span_of(*times, task);
+  if (span.min <= span.max) {
+    gps_min_ = span.min;
+    gps_max_ = span.max;
+  }
+  order_by_time(tree_, *times, task);
 }
 
 LazOrder CopcWriter::order() const {

@@ -88,12 +88,13 @@ TEST_CASE("copc_tree__a_node_with_children_keeps_one_point_a_cell_of_its_grid_an
     if (!parents.contains(name_of(node.key))) continue;
     std::set<Name> cells;
     for (size_t i = 0; i < node.count; ++i)
-      cells.insert(cell_of(tree, cloud.point(tree.order[node.first + i]), node.key.level + 6));
+      cells.insert(cell_of(tree, cloud.point(tree.order[node.first + i]),
+                           node.key.level + las::kCopcGridLevels));
     CHECK(node.count - cells.size() < 8 * 100);
     ++looked_at;
   }
   CHECK(looked_at > 1);
-  CHECK(tree.spacing == tree.halfsize / 32);
+  CHECK(tree.spacing == std::ldexp(2 * tree.halfsize, -las::kCopcGridLevels));
   Task task;
   const Box3 box = bounds(cloud, task);
   CHECK(2 * tree.halfsize == box.max.x - box.min.x);
