@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // reading_jalon [POINTS [LARGE [THREADS]]]: how long files of other formats than LAS are read: LAZ
-// and E57 of a street (street_points.h) of 5 M points, and a hundredth of the ground of a COPC file of
-// 20 M. Every reading is the first of a process of its own, which tells its memory; the least of three
-// counts.
+// and E57 of a street (street_points.h) of 5 M points, and a hundredth of the points and of the ground of
+// COPC files of 20 M, one with attributes made up from the points' numbers, which are noise in the order
+// of an octree, one with those that a scanner sees (street_attributes.h). Every reading is the first of a
+// process of its own, which tells its time and memory; the least of three counts.
 
 #include <jalon/jalon.h>
 #include <sys/mman.h>
@@ -14,10 +15,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <ctime>
 #include <filesystem>
 #include <string>
 
 #include "driver.h"
+#include "street_attributes.h"
 #include "street_las.h"
 #include "street_points.h"
 
@@ -31,11 +35,14 @@ void check(jalon_status status) {
   _exit(1);
 }
 
+using Box = std::array<double, 6>;
+constexpr double kAll = 1e9;
+
 /// What a child tells.
 struct Told {
-  double seconds = 0, megabytes = 0;
+  double seconds = 0, processor_seconds = 0, megabytes = 0;
   uint64_t points = 0;
-  std::array<double, 6> box{};
+  Box of_points{}, of_ground{};
 };
 
 /// run(Told&) in a process of its own.
@@ -59,24 +66,58 @@ Told in_child(Run&& run) {
   return out;
 }
 
-/// The street as LAS with colours, and the box about its middle point that has a tenth of its length and breadth.
-Told make_street(const std::string& prefix, size_t count) {
+/// About a point of xyz, with this part of the length and breadth of all, and all heights.
+Box box_about(const std::vector<double>& xyz, size_t point, double part, const Box& bounds) {
+  Box box{};
+  for (size_t axis = 0; axis < 3; ++axis) {
+    const double half = axis == 2 ? kAll : part / 2 * (bounds[3 + axis] - bounds[axis]);
+    box[axis] = xyz[3 * point + axis] - half;
+    box[3 + axis] = xyz[3 * point + axis] + half;
+  }
+  return box;
+}
+
+/// The part of length and breadth about a point in which a hundredth of the points are.
+double part_of_a_hundredth(const std::vector<double>& xyz, size_t point, const Box& bounds) {
+  std::vector<float> parts;  // of the box that just holds a point
+  parts.reserve(xyz.size() / 3);
+  for (size_t i = 0; i < xyz.size(); i += 3) {
+    double part = 0;
+    for (size_t axis = 0; axis < 2; ++axis)
+      part = std::max(part, 2 * std::fabs(xyz[i + axis] - xyz[3 * point + axis]) /
+                                (bounds[3 + axis] - bounds[axis]));
+    parts.push_back(static_cast<float>(part));
+  }
+  const auto last = parts.begin() + static_cast<ptrdiff_t>(parts.size() / 100);
+  std::nth_element(parts.begin(), last, parts.end());
+  return *last;
+}
+
+enum class Attributes { made_up, seen };
+
+/// The street as LAS with colours, and the boxes about its middle point that have a hundredth of its points, and a
+/// tenth of its length and breadth.
+Told make_street(const std::string& prefix, size_t count, Attributes attributes) {
   return in_child([&](Told& told) {
-    const std::vector<double> xyz =
-        bench::coordinates(bench::scan_street(bench::Street(), count, 1));
-    if (!bench::write_las(prefix + "_pf3.las", 3, xyz)) _exit(1);
-    constexpr double kPart = 0.1, kAll = 1e9;
-    for (size_t axis = 0; axis < 3; ++axis) {
-      double low = xyz[axis], high = xyz[axis];
-      for (size_t i = axis; i < xyz.size(); i += 3) {
-        low = std::min(low, xyz[i]);
-        high = std::max(high, xyz[i]);
-      }
-      const double half = axis == 2 ? kAll : kPart / 2 * (high - low);
-      const double middle = xyz[3 * (count / 2) + axis];
-      told.box[axis] = middle - half;
-      told.box[3 + axis] = middle + half;
+    const bench::Street street;
+    constexpr uint64_t kSeed = 1;
+    std::vector<bench::Sample> samples = bench::scan_street(street, count, kSeed);
+    const std::vector<double> xyz = bench::coordinates(samples);
+    const bench::SeenAttributes seen(street, kSeed);
+    const std::string path = prefix + "_pf3.las";
+    const bool is_written =
+        attributes == Attributes::seen
+            ? bench::write_las(path, 3, xyz, [&](size_t i) { return seen.of(samples[i], i); })
+            : bench::write_las(path, 3, xyz);
+    if (!is_written) _exit(1);
+    Box bounds = {kAll, kAll, kAll, -kAll, -kAll, -kAll};
+    for (size_t i = 0; i < xyz.size(); ++i) {
+      bounds[i % 3] = std::min(bounds[i % 3], xyz[i]);
+      bounds[3 + i % 3] = std::max(bounds[3 + i % 3], xyz[i]);
     }
+    constexpr double kTenth = 0.1;
+    told.of_points = box_about(xyz, count / 2, part_of_a_hundredth(xyz, count / 2, bounds), bounds);
+    told.of_ground = box_about(xyz, count / 2, kTenth, bounds);
   });
 }
 
@@ -86,7 +127,7 @@ void convert(const std::string& from, const std::string& to) {
   });
 }
 
-Told read(const std::string& path, unsigned threads, const std::array<double, 6>* box) {
+Told read(const std::string& path, unsigned threads, const Box* box) {
   Told best;
   for (int turn = 0; turn < kTurns; ++turn) {
     const Told told = in_child([&](Told& out) {
@@ -98,8 +139,10 @@ Told read(const std::string& path, unsigned threads, const std::array<double, 6>
       check(jalon_params_create("read", &options));
       if (box != nullptr) check(jalon_params_set_doubles(options, "box", box->data(), box->size()));
       const bench::Stopwatch watch;
+      const std::clock_t before = std::clock();
       check(jalon_cloud_read(path.c_str(), options, task, &cloud));
       out.seconds = watch.seconds();
+      out.processor_seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
       check(jalon_cloud_count(cloud, &out.points));
     });
     if (turn == 0 || told.seconds < best.seconds) best = told;
@@ -107,7 +150,7 @@ Told read(const std::string& path, unsigned threads, const std::array<double, 6>
   return best;
 }
 
-double millions(double count) { return count / 1e6; }
+double millions(uint64_t count) { return static_cast<double>(count) / 1e6; }
 
 }  // namespace
 
@@ -120,24 +163,34 @@ int main(int argc, char** argv) {
   std::string folder = (std::filesystem::temp_directory_path() / "jalon_reading_XXXXXX").string();
   if (mkdtemp(folder.data()) == nullptr) return 1;
   const std::string street = folder + "/street", town = folder + "/town";
-  make_street(street, points);
+  make_street(street, points, Attributes::made_up);
   for (const char* format : {"laz", "e57"}) {
     const std::string file = street + "." + format;
     convert(street + "_pf3.las", file);
     const Told told = read(file, threads, nullptr);
     std::printf(
         "FIGURE reading %s of %.1f M points with time and colours: %.3f s on %u threads, %.0f MB\n",
-        format, millions(static_cast<double>(told.points)), told.seconds, threads, told.megabytes);
+        format, millions(told.points), told.seconds, threads, told.megabytes);
     std::fflush(stdout);
   }
-  const Told made = make_street(town, large);
-  convert(town + "_pf3.las", town + ".copc.laz");
-  const Told told = read(town + ".copc.laz", threads, &made.box);
-  std::printf(
-      "FIGURE reading a hundredth of the ground of a COPC file of %.1f M points: %.3f s, %.0f MB, "
-      "%.2f M points\n",
-      millions(static_cast<double>(large)), told.seconds, told.megabytes,
-      millions(static_cast<double>(told.points)));
+  for (const Attributes attributes : {Attributes::made_up, Attributes::seen}) {
+    const Told made = make_street(town, large, attributes);
+    const std::string file = town + ".copc.laz";
+    convert(town + "_pf3.las", file);
+    std::filesystem::remove(town + "_pf3.las");
+    for (const Box* box : {&made.of_points, &made.of_ground}) {
+      const Told told = read(file, threads, box);
+      std::printf(
+          "FIGURE reading a hundredth of the %s of a COPC file of %.1f M points, attributes %s, "
+          "%.1f B a point: "
+          "%.3f s, %.0f MB, %.2f processor seconds, %.2f M points\n",
+          box == &made.of_points ? "points" : "ground", millions(large),
+          attributes == Attributes::seen ? "of the surfaces" : "made up",
+          static_cast<double>(std::filesystem::file_size(file)) / static_cast<double>(large),
+          told.seconds, told.megabytes, told.processor_seconds, millions(told.points));
+      std::fflush(stdout);
+    }
+  }
   std::filesystem::remove_all(folder);
   return 0;
 }

@@ -12,11 +12,33 @@
 
 namespace bench {
 
-/// Writes packed xyz as LAS 1.2 in point format 0 or 3, coordinates to 0.1 mm, the other attributes
-/// made up from the point's number. A writer of its own, so that the files that Jalon and LASzip
-/// read are neither's work. True when all went well.
-inline bool write_las(const std::string& path, uint8_t point_format,
-                      const std::vector<double>& xyz) {
+/// What a point of format 0 or 3 has besides its place.
+struct Attributes {
+  uint16_t intensity = 0;
+  uint8_t classification = 0;
+  int8_t scan_angle_deg = 0;
+  uint16_t source = 0;
+  double time_s = 0;
+  uint16_t rgb[3] = {};
+};
+
+/// Made up from the point's number: noise to whoever packs them in another order than this one.
+inline Attributes made_up(size_t i) {
+  Attributes made;
+  made.intensity = static_cast<uint16_t>(i * 2654435761u >> 16);
+  made.classification = static_cast<uint8_t>(i % 7);
+  made.scan_angle_deg = static_cast<int8_t>(static_cast<int>(i % 60) - 30);
+  made.source = static_cast<uint16_t>(1 + i % 3);
+  made.time_s = 100000.0 + 1e-6 * static_cast<double>(i);
+  for (size_t k = 0; k < 3; ++k) made.rgb[k] = static_cast<uint16_t>((i + 37 * k) * 40503u);
+  return made;
+}
+
+/// Writes packed xyz as LAS 1.2 in point format 0 or 3, coordinates to 0.1 mm, of(i) the other attributes of a point.
+/// A writer of its own, so that the files that Jalon and LASzip read are neither's work. True when all went well.
+template <class AttributesOf>
+bool write_las(const std::string& path, uint8_t point_format, const std::vector<double>& xyz,
+               AttributesOf&& of) {
   constexpr double kScale_m = 0.0001;
   constexpr size_t kHeaderBytes = 227;
   const size_t record_bytes = point_format == 3 ? 34 : 20;
@@ -50,23 +72,28 @@ inline bool write_las(const std::string& path, uint8_t point_format,
   }
   for (size_t i = 0; i < count; ++i) {
     const size_t at = kHeaderBytes + record_bytes * i;
+    const Attributes all = of(i);
     for (size_t k = 0; k < 3; ++k)
       put(at + 4 * k, static_cast<int32_t>(std::llround(xyz[3 * i + k] / kScale_m)));
-    put(at + 12, static_cast<uint16_t>(i * 2654435761u >> 16));
+    put(at + 12, all.intensity);
     put(at + 14, uint8_t{0x09});  // return 1 of 1
-    put(at + 15, static_cast<uint8_t>(i % 7));
-    put(at + 16, static_cast<int8_t>(static_cast<int>(i % 60) - 30));
-    put(at + 18, static_cast<uint16_t>(1 + i % 3));
+    put(at + 15, all.classification);
+    put(at + 16, all.scan_angle_deg);
+    put(at + 18, all.source);
     if (point_format == 3) {
-      put(at + 20, 100000.0 + 1e-6 * static_cast<double>(i));
-      for (size_t k = 0; k < 3; ++k)
-        put(at + 28 + 2 * k, static_cast<uint16_t>((i + 37 * k) * 40503u));
+      put(at + 20, all.time_s);
+      for (size_t k = 0; k < 3; ++k) put(at + 28 + 2 * k, all.rgb[k]);
     }
   }
   std::FILE* file = std::fopen(path.c_str(), "wb");
   if (file == nullptr) return false;
   const bool written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
   return std::fclose(file) == 0 && written;
+}
+
+inline bool write_las(const std::string& path, uint8_t point_format,
+                      const std::vector<double>& xyz) {
+  return write_las(path, point_format, xyz, made_up);
 }
 
 }  // namespace bench
