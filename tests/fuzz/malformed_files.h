@@ -46,6 +46,8 @@ std::vector<File> ept_sets();
 std::vector<File> laz_files();
 /// Our own, of point format 4 ("auto") or 9 ("1.4"); "" where LAZ was not built.
 std::string laz_with_waves(const char* las_version);
+/// Our own, of point format 8; "" likewise.
+std::string laz_with_layers();
 std::vector<File> e57_files();
 
 }  // namespace malformed

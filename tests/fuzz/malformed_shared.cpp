@@ -53,6 +53,7 @@ std::vector<File> laz_files() {
   std::vector<File> out;
   add_laz(out, shared_bytes("las/simple.laz"));
   for (const char* version : {"auto", "1.4"}) add_laz(out, laz_with_waves(version));
+  add_laz(out, laz_with_layers());
   return out;
 }
 
