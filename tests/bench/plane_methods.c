@@ -1,9 +1,10 @@
 /* SPDX-FileCopyrightText: 2026 The Jalon authors
  * SPDX-License-Identifier: Apache-2.0 */
 
-/* plane_methods PREFIX [THREADS [METHOD ...]]: the methods that find planes, with their defaults, on a scene of
- * street_scene, each in a process of its own: by the clock, in processor seconds, the peak in bytes a point, and a hash
- * of labels, residuals and planes, by which two builds are compared. Linux only. */
+/* plane_methods PREFIX [THREADS [METHOD ...]]: the methods that find planes, with their defaults or with settings as
+ * JSON behind the name, raster_growing{"projection": "main"}, on a scene of street_scene, each in a process of its own:
+ * by the clock, in processor seconds, the peak in bytes a point, and a hash of labels, residuals and planes, by which
+ * two builds are compared. Linux only. */
 
 #include <time.h>
 
@@ -30,6 +31,21 @@ static uint64_t hash_column(uint64_t hash, const jalon_fields* fields, const cha
   return hash;
 }
 
+/* From the method's name and what stands behind it. */
+static jalon_segmenter* new_segmenter(const char* text) {
+  const char* settings = strchr(text, '{');
+  char method[LINE_BYTES];
+  jalon_segmenter* segmenter = NULL;
+  jalon_params* params = NULL;
+  snprintf(method, sizeof method, "%.*s", (int)strcspn(text, "{"), text);
+  check(jalon_segmenter_create(method, &segmenter));
+  if (settings == NULL) return segmenter;
+  check(jalon_segmenter_params(segmenter, &params));
+  check(jalon_params_from_json(params, settings));
+  jalon_params_release(params);
+  return segmenter;
+}
+
 static void run(const char* method, const char* prefix, const char* threads) {
   static const char* const columns[] = {"normal", "offset", "centroid",
                                         "sigma",  "area",   "covariance"};
@@ -47,7 +63,7 @@ static void run(const char* method, const char* prefix, const char* threads) {
   malloc_trim(0);
   before = process_bytes("VmRSS:") - 24.0 * (double)count;
   reset_peak();
-  check(jalon_segmenter_create(method, &segmenter));
+  segmenter = new_segmenter(method);
   clock = clock_seconds(CLOCK_MONOTONIC), processor = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
   check(jalon_segmenter_run(segmenter, cloud, task, &segmentation));
   clock = clock_seconds(CLOCK_MONOTONIC) - clock;
