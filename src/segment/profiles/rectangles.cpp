@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/parallel.h"
+#include "segment/surface/connectivity.h"
 #include "spatial/union_find.h"
 
 namespace jalon {
@@ -18,6 +19,9 @@ constexpr double kSteepestOffset =
 constexpr double kLeastOverlap = 0.5;  // of the shorter line
 constexpr double kRectangleResidual = 0.5;  // rms of its points, in tolerances (as of seeds)
 constexpr uint32_t kNoLine = 0xffffffffu;
+constexpr uint32_t kLinesPerBlock = 16;  // of a few chains, and so near to one another
+// Far above the rounding of a coordinate, far below any tolerance.
+constexpr double kBlockSlack_m = 1e-6;
 
 // What a line is asked again and again.
 struct Run {
@@ -46,23 +50,70 @@ double beside(const Run& a, const Run& b, double most, double sine) {
   return to - from < kLeastOverlap * std::min(a.length_m, b.length_m) ? INFINITY : off;
 }
 
+FlatBox box_of(const Run& run) {
+  FlatBox box;
+  box.add(run.from);
+  box.add(run.to);
+  return box;
+}
+
+// Lines that follow one another.
+struct LineBlock {
+  FlatBox box;
+  double longest_m = 0;
+
+  // May one of them run beside a line of that box, at most `most` off? Where its end is nearest, by sine of its length
+  // more than its middle.
+  bool may_run_beside(const FlatBox& line, double most, double sine) const {
+    const double reach = most + longest_m / 2 * sine + kBlockSlack_m;
+    return box.low.u <= line.high.u + reach && line.low.u <= box.high.u + reach &&
+           box.low.v <= line.high.v + reach && line.low.v <= box.high.v + reach;
+  }
+};
+
 struct LineRange {
   uint32_t begin, end;
 };
 
-uint32_t nearest_beside(std::span<const Run> runs, uint32_t line, const LineRange& range,
-                        const RectangleRule& rule, double sine) {
-  uint32_t best = kNoLine;
-  double least = kSteepestOffset * rule.step_m;
-  for (uint32_t other = range.begin; other < range.end; ++other) {
-    const double off = beside(runs[line], runs[other], least, sine);
-    if (off < least || (off == least && best == kNoLine)) {
-      least = off;
-      best = other;
+class Neighbours {
+ public:
+  Neighbours(std::span<const ProfileLine> lines, const RectangleRule& rule)
+      : most_(kSteepestOffset * rule.step_m),
+        sine_(std::sin(rule.angle_rad)),
+        blocks_(lines.size() / kLinesPerBlock + 1) {
+    runs_.reserve(lines.size());
+    for (const ProfileLine& line : lines) {
+      LineBlock& block = blocks_[runs_.size() / kLinesPerBlock];
+      runs_.push_back(run_of(line));
+      block.box += box_of(runs_.back());
+      block.longest_m = std::max(block.longest_m, runs_.back().length_m);
     }
   }
-  return best;
-}
+
+  uint32_t nearest_beside(uint32_t line, const LineRange& range) const {
+    const FlatBox own = box_of(runs_[line]);
+    uint32_t best = kNoLine;
+    double least = most_;
+    for (uint32_t begin = range.begin, end; begin < range.end; begin = end) {
+      const uint32_t block = begin / kLinesPerBlock;
+      end = std::min(range.end, (block + 1) * kLinesPerBlock);
+      if (!blocks_[block].may_run_beside(own, least, sine_)) continue;
+      for (uint32_t other = begin; other < end; ++other) {
+        const double off = beside(runs_[line], runs_[other], least, sine_);
+        if (off < least || (off == least && best == kNoLine)) {
+          least = off;
+          best = other;
+        }
+      }
+    }
+    return best;
+  }
+
+ private:
+  double most_, sine_;
+  std::vector<Run> runs_;
+  std::vector<LineBlock> blocks_;
+};
 
 bool agree(const ProfileRectangle& a, const ProfileRectangle& b, const RectangleRule& rule) {
   return std::fabs(dot(a.fit.plane.normal, b.fit.plane.normal)) >= std::cos(rule.angle_rad) &&
@@ -78,21 +129,16 @@ std::vector<ProfileRectangle> match_lines(std::span<const ProfileLine> lines,
   for (uint32_t i = 0; i < lines.size(); ++i)
     if (i == 0 || lines[i].slice != lines[i - 1].slice) first.push_back(i);
   first.push_back(static_cast<uint32_t>(lines.size()));
-  std::vector<Run> runs;
-  runs.reserve(lines.size());
-  for (const ProfileLine& line : lines) runs.push_back(run_of(line));
-  const double sine = std::sin(rule.angle_rad);
+  const Neighbours neighbours(lines, rule);
   std::vector<std::vector<ProfileRectangle>> found(first.size());
   parallel_for(task, first.size() < 3 ? 0 : first.size() - 2, 1, [&](size_t k, size_t) {
     const LineRange low{first[k], first[k + 1]}, high{first[k + 1], first[k + 2]};
     if (lines[high.begin].slice != lines[low.begin].slice + 1) return;
     std::set<std::pair<uint32_t, uint32_t>> pairs;
     for (uint32_t i = low.begin; i < low.end; ++i)
-      if (const uint32_t j = nearest_beside(runs, i, high, rule, sine); j != kNoLine)
-        pairs.insert({i, j});
+      if (const uint32_t j = neighbours.nearest_beside(i, high); j != kNoLine) pairs.insert({i, j});
     for (uint32_t j = high.begin; j < high.end; ++j)
-      if (const uint32_t i = nearest_beside(runs, j, low, rule, sine); i != kNoLine)
-        pairs.insert({i, j});
+      if (const uint32_t i = neighbours.nearest_beside(j, low); i != kNoLine) pairs.insert({i, j});
     for (const auto& [i, j] : pairs) {
       ProfileRectangle rectangle{i, j, {}};
       Moments both = lines[i].moments;

@@ -4,7 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 
 using namespace jalon;
 
@@ -64,4 +66,40 @@ TEST_CASE("rectangles__need_neighbouring_slices_one_direction_and_overlap") {
   turned.to = {1.9, 0.6};
   CHECK(count({line_of(0, 0, 2, 0), turned}) == 0);
   CHECK(count({}) == 0);
+}
+
+// Groups of lines that cannot run beside one another: asked of all at once, each has the rectangles it has by itself.
+TEST_CASE("rectangles__of_groups_far_apart_are_those_of_each_alone") {
+  std::mt19937 draw(3);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(draw);
+  };
+  Task task;
+  std::vector<std::vector<ProfileLine>> slices(2);
+  size_t alone = 0;
+  for (int group = 0; group < 200; ++group) {
+    const Vec2 middle{6.0 * (group % 20), 6.0 * (group / 20)};
+    std::vector<ProfileLine> own;
+    for (uint32_t k = 0; k < 8; ++k) {
+      const double turn = between(0, 0.3), half = between(0.1, 2), v = between(-0.5, 0.5);
+      const Vec2 reach{half * std::cos(turn), half * std::sin(turn)};
+      const Vec2 at = middle + Vec2{between(-0.5, 0.5), v};
+      ProfileLine line;
+      line.slice = k / 4;
+      line.from = at - reach;
+      line.to = at + reach;
+      for (double t = -1; t <= 1; t += 0.1)
+        line.moments.add({at.u + t * reach.u, at.v + t * reach.v, 0.25 * line.slice});
+      own.push_back(line);
+      slices[line.slice].push_back(line);
+    }
+    alone += match_lines(own, kRule, task).size();
+  }
+  std::vector<ProfileLine> all;
+  for (auto& slice : slices) {
+    std::shuffle(slice.begin(), slice.end(), draw);
+    all.insert(all.end(), slice.begin(), slice.end());
+  }
+  CHECK(alone > 400);
+  CHECK(match_lines(all, kRule, task).size() == alone);
 }
