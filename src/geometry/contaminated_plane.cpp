@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "base/parallel.h"
 #include "geometry/contamination_state.h"
@@ -47,6 +48,43 @@ struct StepSums {
       front[z] += b.front[z], behind[z] += b.behind[z], count[z] += b.count[z];
     return *this;
   }
+};
+
+/// Adds up the points of a chunk, four sums at a time.
+class StepAdder {
+ public:
+  void add(const PlaneSample& s, double r, const ContaminationTable::Between& at) {
+    const auto u = static_cast<double>(s.u), v = static_cast<double>(s.v);
+    Four a, b;
+    std::memcpy(&a, at.first, sizeof a);
+    std::memcpy(&b, at.first + 1, sizeof b);
+    const Four weights = a + at.after * (b - a), by_u = weights * u, by_v = weights * v;
+    all_ += weights, all_by_u_ += by_u, all_by_v_ += by_v;
+    squares_ += Four{by_u[kCore], by_u[kCore], by_v[kCore], weights[kCore] * r} * Four{u, v, v, r};
+    zone_[s.zone] += weights;
+    count_[s.zone] += 1;
+  }
+  StepSums sums() const {
+    StepSums out;
+    out.normal = {all_[kCore],   all_by_u_[kCore], all_by_v_[kCore],
+                  squares_[kUU], squares_[kUV],    squares_[kVV]};
+    out.right = {-all_[kSlope], -all_by_u_[kSlope], -all_by_v_[kSlope]};
+    out.squares = squares_[kRR];
+    for (size_t z = 0; z < kContaminationZones; ++z) {
+      out.front[z] = zone_[z][kFront], out.behind[z] = zone_[z][kBehind];
+      out.count[z] = static_cast<double>(count_[z]);
+    }
+    return out;
+  }
+
+ private:
+  using Four = double __attribute__((vector_size(32)));
+  enum { kCore, kFront, kBehind, kSlope };  // as ContaminationTable::Weights has them
+  enum { kUU, kUV, kVV, kRR };              // products, with the core's weight
+  static_assert(sizeof(Four) == sizeof(ContaminationTable::Weights));
+  Four all_{}, all_by_u_{}, all_by_v_{}, squares_{};
+  std::array<Four, kContaminationZones> zone_{};
+  std::array<uint64_t, kContaminationZones> count_{};
 };
 
 /// Expectation and maximization from a start to a maximum of the likelihood.
@@ -98,7 +136,8 @@ class Settling {
 
   const ContaminationState& state() const { return state_; }
   double log_likelihood() const {
-    const std::vector<ContaminationTable> tables = state_.tables(tolerance_m_);
+    const std::vector<ContaminationTable> tables =
+        state_.tables(tolerance_m_, ContaminationTable::With::kLogDensity);
     struct Sum {
       double value = 0;
       Sum& operator+=(const Sum& b) {
@@ -111,8 +150,7 @@ class Settling {
                [&](size_t begin, size_t end) {
                  Sum part;
                  for (size_t i = begin; i < end; ++i)
-                   part.value +=
-                       tables[samples_[i].zone].weights(state_.residual(samples_[i])).log_density;
+                   part.value += tables[samples_[i].zone].log_density(state_.residual(samples_[i]));
                  return part;
                })
         .value;
@@ -144,27 +182,12 @@ class Settling {
     const std::vector<ContaminationTable> tables = state_.tables(tolerance_m_);
     return parallel_reduce(task_, samples_.size(), kContaminatedPlanePointsPerChunk, StepSums{},
                            [&](size_t begin, size_t end) {
-                             StepSums part;
+                             StepAdder part;
                              for (size_t i = begin; i < end; ++i) {
-                               const PlaneSample& s = samples_[i];
-                               const auto u = static_cast<double>(s.u),
-                                          v = static_cast<double>(s.v), r = state_.residual(s);
-                               const auto w = tables[s.zone].weights(r);
-                               part.normal[0] += w.core;
-                               part.normal[1] += w.core * u;
-                               part.normal[2] += w.core * v;
-                               part.normal[3] += w.core * u * u;
-                               part.normal[4] += w.core * u * v;
-                               part.normal[5] += w.core * v * v;
-                               part.right[0] -= w.slope;
-                               part.right[1] -= w.slope * u;
-                               part.right[2] -= w.slope * v;
-                               part.squares += w.core * r * r;
-                               part.front[s.zone] += w.front;
-                               part.behind[s.zone] += w.behind;
-                               part.count[s.zone] += 1;
+                               const double r = state_.residual(samples_[i]);
+                               part.add(samples_[i], r, tables[samples_[i].zone].between(r));
                              }
-                             return part;
+                             return part.sums();
                            });
   }
 

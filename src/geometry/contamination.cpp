@@ -94,7 +94,7 @@ struct Mixture {
 
 ContaminationTable::Weights weights_at(const Mixture& m) {
   return {m.shares[0] * m.core.f / m.density, m.shares[1] * m.front.f / m.density,
-          m.shares[2] * m.behind.f / m.density, std::log(m.density), m.mixed(&Kind::r) / m.density};
+          m.shares[2] * m.behind.f / m.density, m.mixed(&Kind::r) / m.density};
 }
 
 ContaminationTable::Derivatives derivatives_at(const Mixture& m) {
@@ -130,24 +130,27 @@ ContaminationTable::ContaminationTable(double tolerance_m, double sigma_m)
   weights_.resize(static_cast<size_t>(intervals) + 1);
 }
 
-ContaminationTable::ContaminationTable(const Contamination& c, bool with_derivatives)
-    : ContaminationTable(of_zones({&c, 1}, with_derivatives)[0]) {}
+ContaminationTable::ContaminationTable(const Contamination& c, With with)
+    : ContaminationTable(of_zones({&c, 1}, with)[0]) {}
 
 std::vector<ContaminationTable> ContaminationTable::of_zones(std::span<const Contamination> zones,
-                                                             bool with_derivatives) {
+                                                             With with) {
   const double tolerance_m = zones[0].tolerance_m;
   std::vector<ContaminationTable> tables(zones.size(),
                                          ContaminationTable(tolerance_m, zones[0].sigma_m));
   const Cut cut(zones[0]);
   const size_t nodes = tables[0].weights_.size();
-  for (ContaminationTable& table : tables)
-    if (with_derivatives) table.derivatives_.resize(nodes);
+  for (ContaminationTable& table : tables) {
+    if (with != With::kWeightsAlone) table.log_densities_.resize(nodes);
+    if (with == With::kDerivatives) table.derivatives_.resize(nodes);
+  }
   for (size_t i = 0; i < nodes; ++i) {
     const Kinds kinds(static_cast<double>(i) / tables[0].per_m_ - tolerance_m, zones[0], cut);
     for (size_t z = 0; z < zones.size(); ++z) {
       const Mixture mixture(kinds, zones[z]);
       tables[z].weights_[i] = weights_at(mixture);
-      if (with_derivatives) tables[z].derivatives_[i] = derivatives_at(mixture);
+      if (with != With::kWeightsAlone) tables[z].log_densities_[i] = std::log(mixture.density);
+      if (with == With::kDerivatives) tables[z].derivatives_[i] = derivatives_at(mixture);
     }
   }
   return tables;

@@ -29,7 +29,7 @@ class ContaminationTable {
  public:
   struct Weights {
     double core = 0, front = 0, behind = 0;  ///< probabilities that a point here is of each kind
-    double log_density = 0, slope = 0;       ///< ln f and its derivative by r
+    double slope = 0;                        ///< derivative of ln f by r
   };
   /// Derivatives of ln f by r, by ln sigma, by the shares front and behind.
   enum Derivative {
@@ -51,19 +51,33 @@ class ContaminationTable {
   };
   using Derivatives = std::array<double, kDerivatives>;
 
-  /// The derivatives take as much time again: only on demand.
-  explicit ContaminationTable(const Contamination& c, bool with_derivatives = false);
+  /// What there is besides the weights, each with those before it: they take their time.
+  enum class With { kWeightsAlone, kLogDensity, kDerivatives };
+  explicit ContaminationTable(const Contamination& c, With with = With::kWeightsAlone);
   /// Of zones with the same noise and tolerance, which differ by their shares alone: what these mix is found once.
   static std::vector<ContaminationTable> of_zones(std::span<const Contamination> zones,
-                                                  bool with_derivatives = false);
+                                                  With with = With::kWeightsAlone);
 
+  /// Two weights that follow one another in memory, and how far it is from the first to the second.
+  struct Between {
+    const Weights* first;
+    double after;
+  };
   /// Asked for each point in each step.
-  Weights weights(double r) const {
+  Between between(double r) const {
     const auto [node, t] = place(r);
-    const Weights &a = weights_[node], &b = weights_[node + 1];
+    return {&weights_[node], t};
+  }
+  Weights weights(double r) const {
+    const auto [first, t] = between(r);
+    const Weights &a = first[0], &b = first[1];
     return {a.core + t * (b.core - a.core), a.front + t * (b.front - a.front),
-            a.behind + t * (b.behind - a.behind),
-            a.log_density + t * (b.log_density - a.log_density), a.slope + t * (b.slope - a.slope)};
+            a.behind + t * (b.behind - a.behind), a.slope + t * (b.slope - a.slope)};
+  }
+  /// ln f.
+  double log_density(double r) const {
+    const auto [node, t] = place(r);
+    return log_densities_[node] + t * (log_densities_[node + 1] - log_densities_[node]);
   }
   Derivatives derivatives(double r) const;
 
@@ -82,6 +96,7 @@ class ContaminationTable {
   ContaminationTable(double tolerance_m, double sigma_m);
   double tolerance_m_, per_m_;
   std::vector<Weights> weights_;
+  std::vector<double> log_densities_;
   std::vector<Derivatives> derivatives_;
 };
 

@@ -162,17 +162,18 @@ Mat8 jackknife(const std::vector<PlaneSample>& samples, const ContaminationState
 }  // namespace
 
 std::vector<ContaminationTable> ContaminationState::tables(double tolerance_m,
-                                                           bool with_derivatives) const {
+                                                           ContaminationTable::With with) const {
   std::array<Contamination, kContaminationZones> zones;
   for (size_t z = 0; z < kContaminationZones; ++z)
     zones[z] = {sigma_m, tolerance_m, front[z], behind[z]};
-  return ContaminationTable::of_zones(zones, with_derivatives);
+  return ContaminationTable::of_zones(zones, with);
 }
 
 bool contamination_covariance(const std::vector<PlaneSample>& samples,
                               const ContaminationState& state, double tolerance_m, Task& task,
                               Symmetric3& out) {
-  const std::vector<ContaminationTable> tables = state.tables(tolerance_m, true);
+  const std::vector<ContaminationTable> tables =
+      state.tables(tolerance_m, ContaminationTable::With::kDerivatives);
   const Sums sums = parallel_reduce(task, samples.size(), kContaminationStatePointsPerChunk, Sums{},
                                     [&](size_t begin, size_t end) {
                                       Sums part;

@@ -24,7 +24,9 @@ struct ContaminationState {
     return static_cast<double>(s.d) -
            (height + slope_u * static_cast<double>(s.u) + slope_v * static_cast<double>(s.v));
   }
-  std::vector<ContaminationTable> tables(double tolerance_m, bool with_derivatives = false) const;
+  std::vector<ContaminationTable> tables(
+      double tolerance_m,
+      ContaminationTable::With with = ContaminationTable::With::kWeightsAlone) const;
 };
 
 /// Covariance of (slope_u, slope_v, height) at the maximum of the likelihood, shares of 0 taken as known. Few points:

@@ -150,9 +150,9 @@ TEST_CASE("contamination_table__derivatives_are_those_of_its_log_density") {
   const Contamination c{kSigma_m, kTolerance_m, 0.1, 0.05};
   constexpr double kStep = 1e-4;
   const auto density = [&](Contamination other, double r) {
-    return ContaminationTable(other).weights(r).log_density;
+    return ContaminationTable(other, ContaminationTable::With::kLogDensity).log_density(r);
   };
-  const ContaminationTable table(c, true);
+  const ContaminationTable table(c, ContaminationTable::With::kDerivatives);
   const double node_m =
       kTolerance_m / std::ceil(12 * kTolerance_m / kSigma_m);  // at a node nothing is interpolated
   for (const double r : {-30 * node_m, -7 * node_m, 0.0, 12 * node_m, 40 * node_m}) {

@@ -35,17 +35,19 @@ TEST_CASE("contamination_state__residual_is_the_height_above_the_corrected_plane
 }
 
 TEST_CASE("contamination_state__tables_are_those_of_each_zones_shares") {
+  using With = ContaminationTable::With;
   ContaminationState state;
   state.sigma_m = kContaminationStateSigma_m;
   state.front = {0.3, 0};
   state.behind = {0, 0.1};
-  const auto tables = state.tables(kContaminationStateTolerance_m);
+  const auto tables = state.tables(kContaminationStateTolerance_m, With::kLogDensity);
   REQUIRE(tables.size() == kContaminationZones);
   for (size_t z = 0; z < kContaminationZones; ++z) {
     const ContaminationTable one({kContaminationStateSigma_m, kContaminationStateTolerance_m,
-                                  state.front[z], state.behind[z]});
+                                  state.front[z], state.behind[z]},
+                                 With::kLogDensity);
     for (const double r : {-0.02, 0.001, 0.015}) {
-      CHECK(tables[z].weights(r).log_density == one.weights(r).log_density);
+      CHECK(tables[z].log_density(r) == one.log_density(r));
       CHECK(tables[z].weights(r).front == one.weights(r).front);
     }
   }
