@@ -130,35 +130,65 @@ void extend(std::vector<double> heights, double& low, double& high) {
     if (*z<low&& * z> low - kGap_m) low = *z;
 }
 
-// Form "improved": what lies on the side that is seen of the circle about which the grown points lie, from end to end;
-// they themselves where they lie about none.
-std::vector<uint32_t> on_pipe(const TargetScene& scene, const std::vector<uint32_t>& grown,
-                              Task& task) {
-  constexpr double kOnCircle_m = 0.01, kThinnest_m = 0.01, kThickest_m = 0.15;
-  constexpr double kFront = 0.5, kSide = -0.1;  // of the radius, towards the viewer
+constexpr double kOnCircle_m = 0.01;
+
+// The circle about which grown points lie. Where they went on into the wall, its waves are many points and may be as
+// round as the pipe: the target sticks on the circle that is meant, and near it there is less of the wall. A circle
+// off the target is better than none, as lists err too.
+bool fit_pipe_of_target(const std::vector<Vec2>& grown, const Vec2& target, Task& task,
+                        CircleFit& fit) {
+  constexpr double kThinnest_m = 0.01, kThickest_m = 0.15;
+  constexpr double kAbout_m[] = {INFINITY, 0.10, 0.06};  // 0.054 to the sides of a usual pipe
+  constexpr double kOffTarget_m = kOnCircle_m + 0.005;   // and a georeferencing's residual
   constexpr size_t kFewestGrown = 40;
-  std::vector<Vec2> plan;
-  double low = INFINITY, high = -INFINITY;
-  for (const uint32_t i : grown) {
-    const Vec3 p = scene.local(i);
-    plan.push_back(in_plan(p));
-    low = std::min(low, p.z), high = std::max(high, p.z);
-  }
   PrimitiveSetting setting;
   setting.tolerance_m = kOnCircle_m;
   setting.min_radius_m = kThinnest_m;
   setting.max_radius_m = kThickest_m;
+  bool is_found = false;
+  for (const double about : kAbout_m) {
+    std::vector<Vec2> near;
+    for (const Vec2& p : grown)
+      if (norm(p - target) < about) near.push_back(p);
+    CircleFit found;
+    if (near.size() < kFewestGrown || !fit_circle(near, setting, task, found)) continue;
+    const bool is_meant = std::fabs(found.circle.distance(target)) < kOffTarget_m;
+    if (is_meant || !is_found) fit = found;
+    is_found = true;
+    if (is_meant) break;
+  }
+  return is_found;
+}
+
+// Form "improved": what lies on the side that is seen of the circle about which the grown points lie, from end to end;
+// they themselves where they lie about none.
+std::vector<uint32_t> on_pipe(const TargetScene& scene, const std::vector<uint32_t>& grown,
+                              const Vec2& target, Task& task) {
+  constexpr double kFront = 0.5, kSide = -0.1;  // of the radius, towards the viewer
+  std::vector<Vec2> plan;
+  for (const uint32_t i : grown) plan.push_back(in_plan(scene.local(i)));
   CircleFit fit;
-  if (plan.size() < kFewestGrown || !fit_circle(plan, setting, task, fit)) return grown;
+  if (!fit_pipe_of_target(plan, target, task, fit)) return grown;
+  const Circle& circle = fit.circle;
+  // Seen is the side of the target; where between the pipe's sides it sticks says nothing.
   Vec2 outward;
-  for (const Vec2& p : plan) outward = outward + (p - fit.circle.centre);
+  double low = INFINITY, high = -INFINITY;
+  for (const uint32_t i : grown) {
+    const Vec3 p = scene.local(i);
+    const Vec2 d = in_plan(p) - circle.centre;
+    if (std::fabs(circle.distance(in_plan(p))) > kOnCircle_m || dot(d, target - circle.centre) < 0)
+      continue;
+    outward = outward + d;
+    low = std::min(low, p.z), high = std::max(high, p.z);
+  }
+  if (norm(outward) == 0) return grown;
   outward = outward * (1 / norm(outward));
   const auto side = [&](const Vec3& p) {
-    return dot(in_plan(p) - fit.circle.centre, outward) / fit.circle.radius;
+    return dot(in_plan(p) - circle.centre, outward) / circle.radius;
   };
   std::vector<uint32_t> on =
-      free_about(scene, fit.circle.centre, fit.circle.radius + kOnCircle_m, [&](const Vec3& p) {
-        return std::fabs(fit.circle.distance(in_plan(p))) < kOnCircle_m && side(p) > kSide;
+      free_about(scene, circle.centre, circle.radius + kOnCircle_m, [&](const Vec3& p) {
+        return std::fabs(circle.distance(in_plan(p))) < kOnCircle_m && side(p) > kSide;
       });
   std::vector<double> heights;
   for (const uint32_t i : on)
@@ -197,7 +227,7 @@ void take_gutters(TargetScene& scene, Task& task) {
       continue;
     }
     const GutterPoints gutter(scene, std::move(about), &place, task);
-    give(scene, on_pipe(scene, gutter.grown(place, task), task), number);
+    give(scene, on_pipe(scene, gutter.grown(place, task), in_plan(place), task), number);
   }
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end()), all.end());

@@ -37,3 +37,30 @@ TEST_CASE(
   CHECK(house.confused(s, 0, 4) <= 1);
   CHECK(house.confused(s, 1, 4) == 0);
 }
+
+TEST_CASE("target_gutters__of_the_improved_form_that_grow_into_the_wall_keep_to_the_pipe") {
+  // The visible half of a pipe whose right side runs on into the wall in a hollow: normals turn by small steps.
+  constexpr double kRadius_m = 0.04, kHollow_m = 0.06, kPi = 3.14159265358979;
+  TargetHouse house;
+  house.points.clear();
+  house.truth.clear();
+  for (int k = 0; k < 300; ++k) {
+    const double z = 0.01 * k;
+    for (int i = 0; i <= 24; ++i) {
+      const double angle = kPi + kPi * i / 24;
+      house.add({5 + kRadius_m * std::cos(angle), kRadius_m * std::sin(angle), z}, 4);
+    }
+    for (int i = 1; i < 15; ++i) {
+      const double angle = kPi - kPi / 2 * i / 15;
+      house.add({5.1 + kHollow_m * std::cos(angle), kHollow_m * std::sin(angle), z}, 1);
+    }
+    for (int i = 0; i < 40; ++i) house.add({5.1 + 0.01 * i, kHollow_m, z}, 1);
+  }
+  TargetCodeSettings settings;
+  settings.input.form = CodeForm::kImproved;
+  settings.input.codes = "5;5;-0.04;1.1;4\n";
+  Task task;
+  const Segmentation s = segment_by_target_codes(cloud_of(house.points, {}), settings, task);
+  CHECK(static_cast<double>(house.confused(s, 4, 4)) > 0.99 * static_cast<double>(house.of(4)));
+  CHECK(static_cast<double>(house.confused(s, 1, 4)) < 0.1 * static_cast<double>(house.of(4)));
+}
