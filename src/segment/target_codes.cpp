@@ -1,5 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <optional>
+
 #include "base/settings_json.h"
 #include "segment/codes/coded_result.h"
 #include "segment/codes/grouping.h"
@@ -39,6 +42,23 @@ std::vector<uint32_t> owners(const Cloud& cloud, CodedObjects& objects,
   return std::move(scene.owner);
 }
 
+// Whether two targets of windows stick on one facade; the cloud is looked at only when that is asked.
+ArePaired pairs_by_patches(const Cloud& cloud, const CodeList& list,
+                           const TargetCodeSettings& settings, Task& task) {
+  struct Patches {
+    CodedObjects none;
+    std::optional<TargetScene> scene;
+  };
+  const auto patches = std::make_shared<Patches>();
+  return [&, patches](const CodedPoint& a, const CodedPoint& b) {
+    if (!patches->scene) {
+      patches->none.origin = list.points.front().position;
+      patches->scene.emplace(cloud, patches->none, settings, task);
+    }
+    return are_on_one_facade(*patches->scene, a, b);
+  };
+}
+
 }  // namespace
 
 // The target method of feature codes (master's thesis, University of Liege 2021, 6.1):
@@ -53,7 +73,8 @@ Segmentation segment_by_target_codes(const CloudPtr& cloud, const TargetCodeSett
       code_table_from_json(settings.input.table.empty() ? kTargetCodeTable : settings.input.table);
   const CodeList list =
       read_code_list(settings.input.codes, table, metres_of(settings.input.codes_unit));
-  CodedObjects objects = grouped_objects(list, table);
+  CodedObjects objects =
+      grouped_objects(list, table, pairs_by_patches(*cloud, list, settings, task));
   clock.done("codes");
   std::vector<uint32_t> owner = owners(*cloud, objects, settings, clock, task);
   ProgressSpan span(task, kStepsShare, 1, "segments");

@@ -302,6 +302,12 @@ void take_ajar(TargetScene& scene, FoundOpening& opening, uint32_t number) {
   else opening.left_m = std::min(ends.left_m, ends.right_m - leaf.length_m);
 }
 
+// A target and its patch with the plane of its facade.
+bool agrees(const Plane& facade, const Vec3& place, const Plane& patch) {
+  return std::fabs(facade.distance(place)) < kOneFacade_m &&
+         std::fabs(dot(facade.normal, patch.normal)) > kOneFacadeCosine;
+}
+
 void take_facade(TargetScene& scene, uint32_t number) {
   const CodedObject& object = scene.objects.objects[number - 1];
   std::vector<uint32_t> patch;
@@ -317,11 +323,7 @@ void take_facade(TargetScene& scene, uint32_t number) {
   }
   const auto plane = plane_of(scene, patch);
   const Vec3 a = scene.place(object.points[0]), b = scene.place(object.points[1]);
-  const auto agrees = [&](const Vec3& place, const Plane& patch_plane) {
-    return std::fabs(plane->distance(place)) < kOneFacade_m &&
-           std::fabs(dot(plane->normal, patch_plane.normal)) > kOneFacadeCosine;
-  };
-  if (!plane || !agrees(a, own[0]) || !agrees(b, own[1]))
+  if (!plane || !agrees(*plane, a, own[0]) || !agrees(*plane, b, own[1]))
     return warn_of_target(scene, object, "its two targets are on no common plane: left out");
   const size_t first = scene.openings.size();
   // A margin along the axes is as much as 1.41 times longer along a facade, whatever its direction.
@@ -342,6 +344,17 @@ void take_facade(TargetScene& scene, uint32_t number) {
 }
 
 }  // namespace
+
+bool are_on_one_facade(const TargetScene& scene, const CodedPoint& a, const CodedPoint& b) {
+  std::vector<uint32_t> both = patch_of(scene, a, true);
+  const std::vector<uint32_t> of_b = patch_of(scene, b, true);
+  const auto plane_a = plane_of(scene, both), plane_b = plane_of(scene, of_b);
+  if (!plane_a || !plane_b) return true;
+  both.insert(both.end(), of_b.begin(), of_b.end());
+  const auto plane = plane_of(scene, both);
+  return plane && agrees(*plane, scene.place(a), *plane_a) &&
+         agrees(*plane, scene.place(b), *plane_b);
+}
 
 void take_doors(TargetScene& scene, Task& task) {
   for (uint32_t number = 1; number <= scene.objects.objects.size(); ++number)

@@ -66,6 +66,8 @@ std::vector<uint32_t> free_points(const TargetScene& scene, Keep&& keep, Task& t
 template <class Keep>
 std::vector<uint32_t> free_about(const TargetScene& scene, const Vec2& place, double radius_m,
                                  Keep&& keep);
+/// Whether two targets' patches lie in one plane, as panes of a facade do; true where one has no patch.
+bool are_on_one_facade(const TargetScene& scene, const CodedPoint& a, const CodedPoint& b);
 void warn_of_target(TargetScene& scene, const CodedObject& object, std::string text);
 
 /// Walls from one target each: draws of planes through the target, then what is above the first gap in height and in

@@ -85,6 +85,56 @@ TEST_CASE("grouping__a_point_measured_twice_is_used_once_and_told") {
   CHECK(surveyed("1;0;0;1;360+360\n").warnings[0].text.find("above") != std::string::npos);
 }
 
+TEST_CASE("grouping__an_opening_that_lacks_a_corner_is_named_and_those_behind_it_keep_theirs") {
+  // Windows of 2 m every 3 m, five of each way to measure them; of one a point is missing.
+  const auto windows = [](int code, size_t missing) {
+    const auto line = [](size_t id, double x, double y, double z, const std::string& code_text) {
+      return std::to_string(id) + ";" + std::to_string(x) + ";" + std::to_string(y) + ";" +
+             std::to_string(z) + ";" + code_text + "\n";
+    };
+    const std::string c = std::to_string(code);
+    std::vector<std::string> lines;
+    for (size_t w = 0; w < 5; ++w) {
+      const double x = 3.0 * static_cast<double>(w);
+      const size_t id = 10 * w;
+      if (code == 362) {
+        lines.push_back(line(id, x, 0, 0.9, c));
+        lines.push_back(line(id + 1, x + 2, 0, 0.9, c));
+        lines.push_back(line(id + 2, x + 2, 0.2, 1, c + ".8"));
+        lines.push_back(line(id + 3, x + 2, 0.2, 2, c + ".8"));
+      } else {
+        lines.push_back(line(id, x, 0, 1, c));
+        if (code == 361) lines.push_back(line(id + 1, x, 0.2, 1, c + ".8"));
+        lines.push_back(line(id + 2, x + 2, 0, 2, c));
+      }
+    }
+    std::string text;
+    for (size_t k = 0; k < lines.size(); ++k)
+      if (k != missing) text += lines[k];
+    return text;
+  };
+  for (const int code : {360, 361, 362}) {
+    const size_t wanted = static_cast<size_t>(code) - 358;
+    for (size_t k = 0; k < wanted; ++k) {
+      CAPTURE(code);
+      CAPTURE(k);
+      const CodedObjects all = surveyed(windows(code, 2 * wanted + k));
+      CHECK(all.objects.size() == 4);
+      REQUIRE(all.warnings.size() == 1);
+      CHECK(all.warnings[0].object.starts_with("window 2"));
+      CHECK(all.warnings[0].text.find("those behind it keep their own") != std::string::npos);
+      REQUIRE(object_named(all, "window 30") != nullptr);
+      const CodeShape& shape = object_named(all, "window 30")->shape;
+      CHECK(std::fabs(norm(in_plan(shape.corner_b - shape.corner_a)) - 2) < 1e-9);
+      CHECK(object_named(all, "window 40") != nullptr);
+    }
+  }
+  // Where nothing tells which point is missing the last is left out, and the warning says so.
+  const CodedObjects all = surveyed(windows(360, 0));
+  CHECK(all.objects.size() == 4);
+  CHECK(warning_of(all, "window 42").text.find("may be missing") != std::string::npos);
+}
+
 TEST_CASE("grouping__a_closing_point_ends_its_linkage") {
   const CodedObjects all = surveyed(
       "1;0;0;1;365.2\n2;1;0;1;365.4\n3;1;0;2;365.0\n4;5;0;1;365.4\n5;8;0;1;365.2\n6;9;0;1;365.4\n"

@@ -110,3 +110,14 @@ TEST_CASE("target_panes__improved_a_flush_leaf_is_found_among_the_waves_of_its_w
   CHECK(house.confused(improved, 1, 2) < house.of(2) / 10);  // crests beside it
   CHECK(warned(improved, "door 2").empty());
 }
+
+TEST_CASE("target_panes__a_facade_that_lacks_a_target_is_named_and_those_behind_it_keep_theirs") {
+  // Before the pair of the front one target of another facade, whose other is forgotten.
+  TargetHouse house;
+  for (int i = 0; i < 9; ++i)
+    for (int k = 0; k < 9; ++k) house.add({-3, 5 + 0.01 * i, 1.26 + 0.01 * k}, 0);
+  const Segmentation s = house.coded("1;-3;5.04;1.3;3\n2;4.5;0.2;1.3;3\n3;8.5;0.2;1.3;3\n");
+  CHECK(warned(s, "windows 1").find("1 of 2 points") != std::string::npos);
+  CHECK(warned(s, "windows 1").find("those behind it keep their own") != std::string::npos);
+  CHECK(house.confused(s, 3, 3) > house.of(3) / 2);
+}
