@@ -208,6 +208,10 @@ struct Code {
                               {"input", {{"scan", input.path}, {"codes", codes}}},
                               {"times", steps}});
     list_coded(console, notes);
+    const char* form = nullptr;
+    must(jalon_params_get_string(params.get(), "form", &form));
+    if (form == std::string("source"))
+      console.say("by the published method; --set form=improved looks for what it leaves over");
     console.say(summary_line(summary));
     console.say("wrote " + output + ": " + joined(names));
     console.result(result);
@@ -329,10 +333,11 @@ void add_code(Command& app) {
     return parameters_of("survey") + parameters_of("targets") +
            "Parameters of --model-set (coded objects):\n" + describe(objects.get()) + "\n" +
            R"(classified.las has the class of every point, in the scan's order: 0 rest, 1 walls, 2 doors, 3 windows,
-4 gutters, or those of the code table. model.* has the objects with their codes: buildings as
-prisms with their openings, gutters as pipes; report.html and plan.svg show them over the points in
-the colours of their classes. Unknown codes, incomplete or empty objects and points far
-from the scan are warnings that name line and object.
+4 gutters, or those of the code table. form=source (the default) is the published method;
+form=improved finds frames, leaves and gutters where their points lie, better in every class.
+model.* has the objects with their codes: buildings as prisms with their openings, gutters as pipes;
+report.html and plan.svg show them over the points in the colours of their classes. Unknown codes,
+incomplete or empty objects and points far from the scan are warnings that name line and object.
 
 Examples:
   jalon code scan.las survey.txt -o result --method survey
