@@ -191,12 +191,13 @@ PlaneRole role_of(const Placement& p, const WallEvidence& plane, const CellSetti
   return is_room ? PlaneRole::kInside : PlaneRole::kWall;
 }
 
-// Whether a plane was seen through panes: a room's wall. Nothing stands before the back walls of arcades and loggias.
+// Whether a plane was seen through panes that face its way: a room's wall, where no loggia's back is.
 bool is_behind_panes(const WallEvidence& plane, const std::vector<const WallEvidence*>& panes) {
   size_t on = 0, behind = 0;
   for_measured(plane.cells, [&](const Vec3& p) {
     ++on;
     behind += std::any_of(panes.begin(), panes.end(), [&](const WallEvidence* pane) {
+      if (dot(pane->cells.frame.normal, plane.cells.frame.normal) < kSameWay) return false;
       const Foot foot(pane->cells, p);
       if (!foot.is_on_map || foot.depth_m <= kFillingDepth_m || foot.depth_m > kRoomDepth_m)
         return false;

@@ -233,3 +233,31 @@ TEST_CASE("tell_roles__frames_in_the_rims_of_windows_fill_them") {
   CHECK(evidence[0].role == PlaneRole::kWall);
   CHECK(evidence[1].role == PlaneRole::kFilling);
 }
+
+TEST_CASE("tell_roles__panes_in_the_side_of_an_oriel_do_not_make_a_room_of_the_front_beside_it") {
+  // Side and panes upright to the front, crossing its plane.
+  const auto add_side = [](std::vector<Vec3>& out, double at, double near, double far, double foot,
+                           double top) {
+    for (double y = near + layers::kStep_m / 2; y < far; y += layers::kStep_m)
+      for (double z = foot + layers::kStep_m / 2; z < top; z += layers::kStep_m)
+        out.push_back({at, y, z});
+  };
+  std::vector<std::vector<Vec3>> parts(3);
+  auto &front = parts[0], &side = parts[1], &panes = parts[2];
+  add_layer(front, 0, 0, 12, 4, 0);
+  for (const double left : {1.0, 3.5, 8.0}) cut(front, left, 1, 1.2, 1.6);
+  add_side(side, 6, -1.5, 3, 0, 4);
+  std::erase_if(side,
+                [](const Vec3& p) { return p.y > -0.5 && p.y < 2 && p.z > 0.6 && p.z < 3.4; });
+  add_side(panes, 5.8, -0.5, 2, 0.6, 3.4);
+  Segmentation segmentation = walls::segmentation_of(parts);
+  for (size_t s = 0; s < parts.size(); ++s) {
+    Segment& segment = segmentation.segments[s];
+    segment.area_m2 = layers::kStep_m * layers::kStep_m * static_cast<double>(parts[s].size());
+    if (s > 0 && segment.fit.plane.normal.x < 0) turn_over(segment.fit);
+  }
+  Task task;
+  const auto evidence = gather_evidence(segmentation, {}, task);
+  CHECK(evidence[2].role == PlaneRole::kFilling);
+  CHECK(evidence[0].role == PlaneRole::kWall);
+}
