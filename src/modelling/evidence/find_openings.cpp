@@ -213,11 +213,18 @@ bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
          longer <= kMostSlender * shorter;
 }
 
+// Whether a level strip at the wall's foot has the wall over it alone: that ends there, and what hangs lower or stands
+// before it farther along reaches below.
+bool is_foot_of_wall(const OpeningCandidate& c, const OpenEnds& open) {
+  const RingBox box = c.shape.box();
+  return open.foot && box.width() > kMostSlender * box.height() && c.jambs < kOneJamb;
+}
+
 OpeningCandidate candidate_of(const WallCells& cells, const OpeningShape& shape) {
   OpeningCandidate out = looked_at(cells, shape);
   const OpenEnds open = open_ends(cells, shape);
-  out.is_opening =
-      is_opening(out, seen_blocks(cells, shape), cells.origin.v) && !(open.head && open.foot);
+  out.is_opening = is_opening(out, seen_blocks(cells, shape), cells.origin.v) &&
+                   !(open.head && open.foot) && !is_foot_of_wall(out, open);
   return out;
 }
 

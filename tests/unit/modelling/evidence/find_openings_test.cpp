@@ -263,3 +263,15 @@ TEST_CASE("find_openings__the_gap_between_two_parapets_has_no_jambs_and_a_window
   REQUIRE(window.size() == 1);
   CHECK(window[0].jambs > 0.9);
 }
+
+TEST_CASE("find_openings__a_level_strip_under_the_end_of_a_wall_is_none_without_jambs") {
+  // An oriel ends 2 m above the ground; a post in its plane reaches lower, and so the strip counts as inside.
+  const auto over_strip = [](double left, double width) {
+    return PaintedWall()
+        .with(0, 0, 12, 2, WallState::kOutside)
+        .with(left, 2, width, 0.2, WallState::kThrough)
+        .openings();
+  };
+  CHECK(over_strip(0, 12).empty());
+  CHECK(over_strip(4, 2).size() == 1);
+}
