@@ -11,6 +11,7 @@
 #include "modelling/evidence/coplanar.h"
 #include "modelling/evidence/places.h"
 #include "modelling/evidence/plane_roles.h"
+#include "modelling/evidence/recesses.h"
 #include "segment/labels/label_groups.h"
 
 namespace jalon {
@@ -330,6 +331,12 @@ std::vector<WallEvidence> gather_whole_walls(Segmentation& segmentation, double 
     out = gather_evidence(segmentation, setting, task);
   };
   look();
+  if (const std::vector<size_t> turned = turned_away(segmentation, out, task); !turned.empty()) {
+    for (const size_t s : turned)
+      for (size_t piece = 0; piece < whole.size(); ++piece)
+        if (whole[piece] == whole[s]) turn_over(given.segments[piece].fit);
+    look();
+  }
   Segmentation parted = parted_segments(given, whole, out, task);
   if (parted.segments.size() > given.segments.size()) {
     given = std::move(parted);

@@ -8,6 +8,9 @@
 #include <cmath>
 
 #include "base/parallel.h"
+#include "modelling/evidence/cell_regions.h"
+#include "modelling/evidence/places.h"
+#include "modelling/evidence/plane_roles.h"
 
 namespace jalon {
 
@@ -25,6 +28,12 @@ constexpr double kRimCells =
     2;  // of the wall before it: its sides are seen this near to the border
 constexpr size_t kRecessPointsPerChunk = 1 << 15;
 constexpr size_t kLookedAtCells_recess = 20000;
+
+// Of the measured cells of a plane that faces away, behind the wall before it, within its border.
+constexpr double kMostlyWithin = 0.7;
+// Of what lies straight behind a wall's measured places, where it hides that: nothing is known, and how much more often
+// so than behind its openings. Where it hides nothing: 0, and once; back walls of arcades: 0.5 to 0.9, and 1.6 to 6.
+constexpr double kHidden = 0.25, kHidesMore = 1.25;
 
 // Of the border of a window that piers too narrow to frame it enclose, as that of an empty opening (find_openings.cpp).
 constexpr double kEnclosingShare = 0.95;
@@ -133,6 +142,45 @@ void cut_to(const RingBox& box, OpeningShape& shape) {
   if (cut.is_valid()) shape = cut;
 }
 
+// Cells of a plane with a place behind what is the same of a wall before it.
+struct Behind {
+  size_t all = 0, unknown = 0;
+  void add(WallState state) {
+    ++all;
+    unknown += state == WallState::kOutside;
+  }
+  double unknown_share() const {
+    return static_cast<double>(unknown) / std::max(1.0, static_cast<double>(all));
+  }
+};
+
+// Two explanations of what is not known of a plane behind a wall: that hides it, or nothing was measured there.
+bool is_seen_through(const WallEvidence& plane, const WallEvidence& front) {
+  const WallCells& cells = plane.cells;
+  std::vector<uint32_t> measured;
+  for (size_t k = 0; k < cells.states.size(); ++k)
+    if (cells.states[k] == WallState::kOn) measured.push_back(static_cast<uint32_t>(k));
+  if (measured.empty()) return false;
+  const CellBox box = cell_box_of(measured, cells.columns);
+  size_t on = 0, within = 0;
+  Behind wall, openings;
+  for (uint32_t r = box.r0; r < box.r1; ++r)
+    for (uint32_t c = box.c0; c < box.c1; ++c) {
+      const WallState state = cells.at(c, r);
+      on += state == WallState::kOn;
+      const Foot foot(front.cells, cells.frame.lift(cells.origin + Vec2{(c + 0.5) * cells.cell_m,
+                                                                        (r + 0.5) * cells.cell_m}));
+      if (!foot.is_on_map || foot.depth_m <= kLeastDepth_m || foot.depth_m > kMostDepth_m) continue;
+      const WallState before = front.cells.at(foot.column, foot.row);
+      if (before == WallState::kOutside) continue;
+      within += state == WallState::kOn;
+      (is_wall(before) ? wall : openings).add(state);
+    }
+  return static_cast<double>(within) >= kMostlyWithin * static_cast<double>(on) &&
+         wall.unknown_share() >= kHidden &&
+         wall.unknown_share() >= kHidesMore * openings.unknown_share();
+}
+
 }  // namespace
 
 void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& all, Task& task) {
@@ -175,6 +223,24 @@ void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& 
     for (OpeningCandidate& opening : plane.openings)
       if (opening.is_opening && box.holds(opening.shape.box().middle())) cut_to(box, opening.shape);
   }
+}
+
+std::vector<size_t> turned_away(const Segmentation& segmentation,
+                                const std::vector<WallEvidence>& all, Task& task) {
+  std::vector<size_t> out;
+  for (size_t s = 0; s < all.size(); ++s) {
+    if (all[s].empty() || segmentation.segments[s].front_source == FrontSource::kStation) continue;
+    task.checkpoint(0);
+    const double explained = explained_m2(all[s]);
+    if (std::any_of(all.begin(), all.end(), [&](const WallEvidence& wall) {
+          return wall.is_wall() && explained_m2(wall) > explained &&
+                 dot(wall.cells.frame.normal, all[s].cells.frame.normal) <=
+                     -kSameWayCosine_recess &&
+                 is_seen_through(all[s], wall);
+        }))
+      out.push_back(s);
+  }
+  return out;
 }
 
 }  // namespace jalon

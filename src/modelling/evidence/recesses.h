@@ -18,4 +18,10 @@ namespace jalon {
 /// The same bits for any number of threads. O(points x such openings).
 void tell_recesses(const Segmentation& segmentation, std::vector<WallEvidence>& all, Task& task);
 
+/// Segments whose planes face away from those who saw them: mostly seen through a wall that explains more and faces the
+/// other way, no farther behind it than the back of an arcade. Each is told from what lies about it alone, and rooms
+/// behind shop fronts outweigh a passage. Where stations tell the sides there are none. Before: roles.
+std::vector<size_t> turned_away(const Segmentation& segmentation,
+                                const std::vector<WallEvidence>& all, Task& task);
+
 }  // namespace jalon

@@ -115,3 +115,45 @@ TEST_CASE("tell_recesses__an_opening_ends_where_the_one_that_it_is_seen_through_
   }
   CHECK(upper == 2);
 }
+
+namespace {
+
+// A wall on arches of 3 x 3 m, and a plane behind it that faces away.
+std::vector<size_t> turned_behind_arches(const std::vector<Vec3>& back,
+                                         FrontSource source = FrontSource::kEvidence) {
+  std::vector<Vec3> wall;
+  add_layer(wall, 0, 0, 12, 7, 0);
+  for (const double left : {1.0, 7.0}) cut(wall, left, 0, 3, 3);
+  Segmentation segmentation = walls::segmentation_of({wall, back});
+  for (Segment& segment : segmentation.segments) {
+    segment.area_m2 = kStep_m * kStep_m * static_cast<double>(segment.point_count());
+    segment.front_source = source;
+  }
+  turn_over(segmentation.segments[1].fit);
+  Task task;
+  return turned_away(segmentation, gather_evidence(segmentation, {}, task), task);
+}
+
+}  // namespace
+
+TEST_CASE("turned_away__the_back_of_a_passage_that_piers_hide_was_seen_through_the_arches") {
+  constexpr double kPassage_m = 2.8;
+  std::vector<Vec3> back;
+  for (const double left : {0.5, 6.5}) {
+    add_layer(back, left, 0, 4, 3.2, kPassage_m);
+    cut(back, left + 1, 0, 2, 2.4);  // shop fronts
+  }
+  CHECK(turned_behind_arches(back) == std::vector<size_t>{1});
+  // Stations say better who saw it.
+  CHECK(turned_behind_arches(back, FrontSource::kStation).empty());
+  // Panes and leaves are no deeper than their wall.
+  for (Vec3& p : back) p.y = 0.3;
+  CHECK(turned_behind_arches(back).empty());
+}
+
+TEST_CASE("turned_away__the_rear_of_a_narrow_building_is_measured_behind_walls_as_behind_windows") {
+  std::vector<Vec3> rear;
+  add_layer(rear, 0.5, 0, 11, 6.5, 3.5);
+  for (const double left : {2.0, 5.0, 8.0}) cut(rear, left, 1, 1.2, 1.6);
+  CHECK(turned_behind_arches(rear).empty());
+}
