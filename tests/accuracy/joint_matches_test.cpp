@@ -14,7 +14,8 @@
 // (strips), 10074 to 10123 1.02, 1.01, 1.00, 1.00 and 1.23 (strips). A street each, 9874 to 9898: 1.13 of scenario 2,
 // 1.09, of scenario 5 1.21; 9999 to 10023, unseen: blocks of scenario 2 1.67 (along their street, within 3.5 of their
 // sigmas: fewer side walls are met than by perfect matches; all else 1.03); 10124 to 10148, unseen: of scenarios 2 to 4
-// 1.27 (blocks of 2), all else 1.01. Strips adjusted of those that perfect ones adjust: 99, 99, 93, 92 and 94 in 100. Before:
+// 1.27 (blocks of 2), all else 1.01. Strips adjusted of those that perfect ones adjust: 99, 99, 93, 92 and 94 in 100.
+// Before:
 // 9724 to 9773 10.2 by a facade before another on its wall, 9674 to 9723 11.0; a street each, 9724 to 9760: strips of
 // scenario 4 5.0, by one on the wall of a strip that had been found on a larger one (strip_search.cpp doubts it now);
 // 9874 to 9898: blocks of scenario 2 3.1, driven along their street by strips half on a neighbour's front (weighed in

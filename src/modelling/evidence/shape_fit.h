@@ -48,10 +48,10 @@ struct FittedShape {
 };
 
 /// The shape about a box that explains the cells best: the sum of the weights inside it less 3/2 log n for each of its
-/// sizes (Rissanen 1978: minimum description length), n the number of cells, and less what naming a circle costs: of few
-/// cells it, which has a size less than a rectangle, would be any window. Each kind starts in the box and moves its sizes by
-/// halved steps while that gains. Shapes with sloping or curved sides must beat the rectangle
-/// clearly, and the wall must be measured along these sides: nothing tells the form of a head that was not seen.
+/// sizes (Rissanen 1978: minimum description length), n the number of cells, and less what naming a circle costs: of
+/// few cells it, which has a size less than a rectangle, would be any window. Each kind starts in the box and moves its
+/// sizes by halved steps while that gains. Shapes with sloping or curved sides must beat the rectangle clearly, and the
+/// wall must be measured along these sides: nothing tells the form of a head that was not seen.
 /// `taken`, a byte a cell, may be empty: cells of other openings, which speak against this one.
 /// is_head_seen: whether the wall was measured along the sloping sides; by the cells where it is empty.
 using HeadTest = std::function<bool(const OpeningShape&)>;
