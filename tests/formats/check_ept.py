@@ -60,7 +60,7 @@ def points_of(folder, index):
 def main(path, scan, *pairs):
     path = pathlib.Path(path)
     index = json.loads(path.read_text())
-    if [index["dataType"], index["hierarchyType"], index["span"]] != ["binary", "json", 64]:
+    if [index["dataType"], index["hierarchyType"], index["span"]] != ["binary", "json", 32]:
         sys.exit("another kind of data set")
     points = list(points_of(path.parent, index))
     names = [pair.split("=") for pair in pairs]
