@@ -268,8 +268,7 @@ double filled_share(const WallCells& cells, const OpeningShape& shape, const Wal
          (box.width() * box.height());
 }
 
-// Whether another wall stands before an opening, with windows of its own. What lies behind one opening of that wall
-// alone is seen through it: a loggia's window.
+// Whether another wall stands before an opening. What lies behind one opening of that alone is seen through it.
 bool is_hidden_by(const WallCells& cells, const OpeningShape& shape, const WallCells& other) {
   const RingBox box = shape.box();
   size_t all = 0, within = 0, measured = 0;
@@ -305,14 +304,15 @@ bool is_place_of(const WallEvidence& larger, const OpeningCandidate& opening,
          windows + filled_share(wall.cells, opening.shape, larger.cells) >= kFilledShare;
 }
 
-// Two explanations of a hole: an opening, or another wall's place. One that nothing frames is filled by a wall behind
-// it; one that hardly anything was seen through lies behind a bay window, however well its border is seen.
+// A hole, or the place of another wall: behind one without a frame, before one hardly seen or where the wall ends.
 bool ends_at(const WallEvidence& wall, const OpeningCandidate& opening, const WallEvidence& other) {
-  return (!is_enclosed(opening) &&
-          filled_share(wall.cells, opening.shape, other.cells) >= kFilledShare) ||
-         is_place_of(other, opening, wall) ||
-         (opening.inside.share(WallState::kThrough) < kGlimpsedShare &&
-          is_hidden_by(wall.cells, opening.shape, other.cells));
+  const bool goes_on = opening.jambs >= kBothJambs || opening.relief >= kReliefShare;
+  if (!is_enclosed(opening) && filled_share(wall.cells, opening.shape, other.cells) >= kFilledShare)
+    return true;
+  if (is_place_of(other, opening, wall)) return true;
+  return !(is_enclosed(opening) && goes_on &&
+           opening.inside.share(WallState::kThrough) >= kGlimpsedShare) &&
+         is_hidden_by(wall.cells, opening.shape, other.cells);
 }
 
 void end_at(WallEvidence& wall, const std::vector<const WallEvidence*>& others, Task& task) {

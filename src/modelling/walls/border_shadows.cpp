@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "geometry/polygon2.h"
+#include "modelling/evidence/cell_regions.h"
+#include "modelling/evidence/cell_sums.h"
 #include "modelling/evidence/contour_holes.h"
 
 namespace jalon {
@@ -13,6 +15,8 @@ namespace jalon {
 namespace {
 
 constexpr double kBorderChord = 0.1;  // spacings
+// A border that goes up and down from cell to cell is up to twice as long, and the place looks half as wide.
+constexpr double kRagged = 0.5;
 
 bool is_unmeasured(WallState state) {
   return state == WallState::kEmpty || state == WallState::kHidden || state == WallState::kProud;
@@ -30,17 +34,59 @@ struct CellMask {
   }
 };
 
-// Unmeasured cells, and those of the wall next to them: the wall's edge crosses these.
 CellMask unmeasured_cells(const WallCells& cells) {
   CellMask out(cells);
+  for (size_t k = 0; k < cells.states.size(); ++k) out.is_in[k] = is_unmeasured(cells.states[k]);
+  return out;
+}
+
+// Some points between the leaves before a wall are no wall, and something seen past them is no opening: what is small
+// is left out. Islands in a region would cut it into strips.
+void fill_small_islands(CellMask& mask, double small_m2) {
+  const WallCells& cells = mask.cells;
+  std::vector<uint32_t> others;
+  for (uint32_t k = 0; k < mask.is_in.size(); ++k)
+    if (mask.is_in[k] == 0) others.push_back(k);
+  for (const auto& island : CellRegions(cells.columns, cells.rows).of(others)) {
+    const CellBox box = cell_box_of(island, cells.columns);
+    if (static_cast<double>(island.size()) * cells.cell_m * cells.cell_m >= small_m2) continue;
+    if (box.c0 == 0 || box.r0 == 0 || box.c1 == cells.columns || box.r1 == cells.rows) continue;
+    if (std::any_of(island.begin(), island.end(),
+                    [&](uint32_t k) { return cells.states[k] == WallState::kOutside; }))
+      continue;
+    for (const uint32_t k : island) mask.is_in[k] = 1;
+  }
+}
+
+// Morphological opening with a square (Serra 1982): what is narrower than that goes, and joins no places.
+void drop_strips(CellMask& mask, double least_width_m) {
+  const uint32_t columns = mask.cells.columns, rows = mask.cells.rows;
+  const auto edge = static_cast<uint32_t>(std::ceil(least_width_m / mask.cells.cell_m));
+  if (edge < 2) return;
+  const CellSums<uint32_t> in(columns, rows, [&](size_t k) { return uint32_t{mask.is_in[k]}; });
+  std::vector<uint8_t> fits(mask.is_in.size(), 0);  // a square fits whose lower left cell it is
+  for (uint32_t r = 0; r + edge <= rows; ++r)
+    for (uint32_t c = 0; c + edge <= columns; ++c)
+      fits[static_cast<size_t>(r) * columns + c] =
+          in.of(c, r, c + edge, r + edge) == edge * edge ? 1 : 0;
+  const CellSums<uint32_t> squares(columns, rows, [&](size_t k) { return uint32_t{fits[k]}; });
+  for (uint32_t r = 0; r < rows; ++r)
+    for (uint32_t c = 0; c < columns; ++c)
+      mask.at(c, r) = squares.of(c + 1 > edge ? c + 1 - edge : 0, r + 1 > edge ? r + 1 - edge : 0,
+                                 c + 1, r + 1) > 0;
+}
+
+// With the cells of the wall next to it: the wall's edge crosses these.
+void grow(CellMask& mask) {
+  const WallCells& cells = mask.cells;
+  const CellMask before = mask;
   for (uint32_t r = 0; r < cells.rows; ++r)
     for (uint32_t c = 0; c < cells.columns; ++c) {
-      if (!is_unmeasured(cells.at(c, r))) continue;
+      if (before.at(c, r) == 0) continue;
       for (uint32_t y = r > 0 ? r - 1 : 0; y <= r + 1 && y < cells.rows; ++y)
         for (uint32_t x = c > 0 ? c - 1 : 0; x <= c + 1 && x < cells.columns; ++x)
-          if (is_unmeasured(cells.at(x, y)) || is_wall(cells.at(x, y))) out.at(x, y) = 1;
+          if (is_unmeasured(cells.at(x, y)) || is_wall(cells.at(x, y))) mask.at(x, y) = 1;
     }
-  return out;
 }
 
 // Cells that meet in a corner alone, one of each two taken out: rings touch themselves nowhere.
@@ -96,6 +142,9 @@ std::vector<FacadeShadow> border_shadows(const VectorPlane& plane, const FacadeW
   if (plane.faces.empty() || cells.empty()) return out;
   // 1. Where nobody measured.
   CellMask mask = unmeasured_cells(cells);
+  fill_small_islands(mask, setting.min_opening_area_m2);
+  drop_strips(mask, setting.min_opening_width_m);
+  grow(mask);
   part_at_corners(mask);
   task.checkpoint(0);
   // 2. What is drawn already.
@@ -112,7 +161,7 @@ std::vector<FacadeShadow> border_shadows(const VectorPlane& plane, const FacadeW
   for (PolygonWithHoles& left : without(boxes_of(mask), std::move(taken), plane.spacing_m)) {
     const double area_m2 = signed_area(left.outline);
     if (area_m2 < setting.min_opening_area_m2 ||
-        equivalent_width(area_m2, perimeter(left.outline)) < setting.min_opening_width_m)
+        equivalent_width(area_m2, perimeter(left.outline)) < kRagged * setting.min_opening_width_m)
       continue;
     FacadeShadow& shadow = out.emplace_back();
     shadow.piece = nearest_face(faces, left.outline);

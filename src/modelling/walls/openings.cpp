@@ -22,7 +22,9 @@ namespace {
 constexpr double kThroughShare = 0.05;  // seen through: glass gives few returns, frames are narrow
 constexpr uint32_t kThroughCells = 4;
 constexpr double kHiddenShare = 0.25;  // hidden: rays to the rest went astray
-constexpr double kFlushShare = 0.5;    // filled by something on or before the wall
+constexpr double kFlushShare = 0.5;    // filled by something on or close before the wall
+// A shutter and its hinges; what stands farther before the wall (a drainpipe with a canopy) hides it.
+constexpr double kShutter_m = 0.12;
 // Points of a plane upright to the wall before it counts as a reveal.
 constexpr size_t kRevealPoints = 10;
 constexpr size_t kDepthPoints = 10;  // behind an opening for a depth without a plane
@@ -63,7 +65,8 @@ Verdict judge(const WallHole& hole, const HoleSurvey& survey, const HoleContent&
   if (is_seen || joinery != nullptr)
     return {true, is_revealed ? Evidence::kRevealed : Evidence::kSeenBehind};
   if (!content.parallel.empty() && share(content.parallel.front().cells) >= kFlushShare)
-    return {true, Evidence::kMeasured};
+    return content.parallel.front().depth_m >= -kShutter_m ? Verdict{true, Evidence::kMeasured}
+                                                           : Verdict{};
   if (share(survey.hidden) >= kHiddenShare) return {};
   if (is_revealed) return {true, Evidence::kRevealed};
   return {has_shape_of_opening(hole.outline), Evidence::kShape};

@@ -174,6 +174,22 @@ TEST_CASE("tell_roles__a_wall_ends_behind_a_bay_window_although_something_is_gli
   CHECK(openings_of(evidence_of({wall, glimpsed})[0]) == 3);
 }
 
+TEST_CASE("tell_roles__what_is_seen_through_a_front_before_the_wall_is_no_opening_of_the_wall") {
+  // The wall goes on beside the front; the room was seen through the front's windows, next to where the wall ends.
+  std::vector<Vec3> wall = house(0, 1.5), right = house(12, 1.5), room;
+  wall.insert(wall.end(), right.begin(), right.end());
+  for (const double lintel : {6.0, 11.0}) add_layer(wall, lintel, 2.6, 1, 0.2, 1.5);
+  add_layer(room, 6, 1, 1, 1.6, 2.2);
+  add_layer(room, 11, 1, 1, 1.6, 2.2);
+  const auto evidence = evidence_of({wall, house(6, 0), room});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  CHECK(openings_of(evidence[0]) == 4);
+  CHECK(openings_of(evidence[1]) == 2);
+  // Without the front they are openings.
+  CHECK(openings_of(evidence_of({wall, room})[0]) == 6);
+}
+
 TEST_CASE("tell_roles__timbers_that_frame_panels_are_relief_of_the_wall_with_the_windows") {
   // Posts and rails 4 cm proud, one panel about each window and two blank ones.
   constexpr double kProud_m = 0.04, kBeam_m = 0.2;

@@ -98,3 +98,34 @@ TEST_CASE("border_shadows__small_ones_are_left_out_and_a_ring_about_an_opening_i
     sum_m2 += area_of(shadow);
   CHECK(sum_m2 == doctest::Approx(1.44 * 1.97 - 0.5).epsilon(0.03).scale(0));
 }
+
+TEST_CASE("border_shadows__some_points_amid_it_cut_no_place_into_strips") {
+  WallCells cells = cells_with(WallState::kThrough, WallState::kHidden);
+  // Points between leaves, and a look past them, every third cell.
+  for (uint32_t c = 62; c < 74; c += 3)
+    for (uint32_t r = 2; r < 18; r += 3)
+      paint(cells, {c, r, c + 1, r + 1}, (r + c) % 2 == 0 ? WallState::kOn : WallState::kThrough);
+  const auto shadows = shadows_of({}, cells);
+  REQUIRE(shadows.size() == 1);
+  CHECK(area_of(shadows[0]) == doctest::Approx(1.44 * 1.97).epsilon(1e-3).scale(0));
+}
+
+TEST_CASE("border_shadows__a_strip_at_the_foot_takes_no_place_beside_it_away") {
+  WallCells cells = cells_with(WallState::kThrough, WallState::kHidden);
+  paint(cells, {0, 0, 80, 1}, WallState::kHidden);
+  // The wall ends above the strip.
+  const VectorPlane raised = plane_of({ring_of({{0, 0.07},
+                                                {6.03, 0.07},
+                                                {6.03, 1.97},
+                                                {7.47, 1.97},
+                                                {7.47, 0.07},
+                                                {8, 0.07},
+                                                {8, 5},
+                                                {0, 5}})});
+  Task task;
+  const auto shadows = border_shadows(raised, {}, cells, {}, task);
+  REQUIRE(shadows.size() == 1);
+  const RingBox box = ring_box(shadows[0].outline);
+  CHECK(box.width() < 1.75);
+  CHECK(area_of(shadows[0]) > 1.44 * 1.97 - 0.01);
+}

@@ -91,6 +91,15 @@ TEST_CASE("judge_holes__what_something_in_front_hides_is_a_shadow_and_a_flush_le
   CHECK(flush.wall.openings[0].depth_m == doctest::Approx(0.01));
 }
 
+TEST_CASE("judge_holes__a_shutter_hangs_close_before_the_wall_and_what_stands_off_it_hides_it") {
+  const Scene shutter({patch(1, -0.06)});
+  REQUIRE(shutter.opening_of[0] == 0);
+  CHECK(shutter.wall.openings[0].evidence == Evidence::kMeasured);
+  const Scene canopy({patch(1, -0.23)});
+  CHECK(canopy.opening_of == std::vector<int32_t>{-1, -1});
+  CHECK(canopy.wall.shadows.size() == 2);
+}
+
 TEST_CASE("judge_holes__reveals_are_evidence_and_what_stands_before_the_joinery_is_told") {
   std::vector<Vec3> reveal;
   for (double y = 0.04; y < 0.2; y += 0.02)
