@@ -2,24 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/labels/label_groups.h"
 
+#include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "base/error.h"
+#include "base/parallel.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr size_t kPointsPerCheckpoint = 1 << 20;
-
-// f(i) for every point, with a look at the task now and then.
-template <class F>
-void walk(size_t n, Task& task, F&& f) {
-  for (size_t begin = 0; begin < n; begin += kPointsPerCheckpoint) {
-    task.checkpoint(static_cast<double>(begin) / static_cast<double>(n));
-    for (size_t i = begin; i < std::min(n, begin + kPointsPerCheckpoint); ++i) f(i);
-  }
-}
+// Points of a block. With many labels larger ones, so that all blocks' counts take no more than the points' own labels.
+constexpr size_t kBlock = 1 << 18;
+size_t block_of(size_t count) { return std::max(kBlock, count); }
 
 }  // namespace
 
@@ -28,18 +24,30 @@ LabelGroups::LabelGroups(std::span<const uint32_t> labels, size_t count, Task& t
   if (labels.size() > std::numeric_limits<uint32_t>::max())
     fail(Status::kLimit, "%zu points; segments can be told apart in at most 4294967295",
          labels.size());
+  // 1. How many points of each label lie in each block.
+  const size_t n = labels.size(), block = block_of(count);
+  std::vector<uint32_t> next((n + block - 1) / block * count, 0);
   {
     ProgressSpan span(task, 0, 0.3);
-    walk(labels.size(), task, [&](size_t i) {
-      if (labels[i] != 0) ++first_[labels[i]];
+    parallel_for(task, n, block, [&](size_t begin, size_t end) {
+      uint32_t* counts = next.data() + begin / block * count;
+      for (size_t i = begin; i < end; ++i)
+        if (labels[i] != 0) ++counts[labels[i] - 1];
     });
   }
-  for (size_t g = 1; g <= count; ++g) first_[g] += first_[g - 1];
-  order_.resize(first_[count]);
-  std::vector<uint64_t> next(first_.begin(), first_.end() - 1);
+  // 2. Where each block puts its first point of each label.
+  uint32_t sum = 0;
+  for (size_t g = 0; g < count; ++g) {
+    for (size_t at = g; at < next.size(); at += count) sum += std::exchange(next[at], sum);
+    first_[g + 1] = sum;
+  }
+  // 3. The points.
+  order_ = Buffer<uint32_t>(sum);
   ProgressSpan span(task, 0.3, 1);
-  walk(labels.size(), task, [&](size_t i) {
-    if (labels[i] != 0) order_[next[labels[i] - 1]++] = static_cast<uint32_t>(i);
+  parallel_for(task, n, block, [&](size_t begin, size_t end) {
+    uint32_t* to = next.data() + begin / block * count;
+    for (size_t i = begin; i < end; ++i)
+      if (labels[i] != 0) order_[to[labels[i] - 1]++] = static_cast<uint32_t>(i);
   });
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "base/buffer.h"
 #include "base/task.h"
 
 namespace jalon {
@@ -18,7 +19,7 @@ class LabelGroups {
   size_t count() const { return first_.size() - 1; }
   /// Point indices of the label, ascending.
   std::span<const uint32_t> of(uint32_t label) const {
-    return std::span(order_).subspan(first_[label - 1], first_[label] - first_[label - 1]);
+    return {order_.data() + first_[label - 1], first_[label] - first_[label - 1]};
   }
   /// f(label) for every label: large groups one after the other with all threads inside f, small ones side by side.
   template <class F>
@@ -26,7 +27,7 @@ class LabelGroups {
 
  private:
   std::vector<uint64_t> first_;
-  std::vector<uint32_t> order_;
+  Buffer<uint32_t> order_;
 };
 
 }  // namespace jalon

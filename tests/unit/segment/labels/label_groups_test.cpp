@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <atomic>
 
 #include "base/random.h"
@@ -25,6 +26,31 @@ TEST_CASE("label_groups__every_point_in_the_group_of_its_label_in_order") {
     CHECK(std::vector<uint32_t>(found.begin(), found.end()) == expected);
   }
   CHECK(groups.of(8).empty());  // no point has it
+}
+
+TEST_CASE("label_groups__of_many_points_are_the_same_with_any_number_of_threads") {
+  // Several blocks, whose size follows the number of labels where these are many.
+  constexpr size_t kPoints = 1'100'000;
+  for (const uint32_t count : {5u, 400'000u}) {
+    RandomStream random(4, count);
+    std::vector<uint32_t> labels(kPoints);
+    for (uint32_t& label : labels) label = static_cast<uint32_t>(random.below(count + 1));
+    for (const unsigned threads : {1u, 3u}) {
+      Task::Hooks hooks;
+      hooks.threads = threads;
+      Task task(hooks);
+      const LabelGroups groups(labels, count, task);
+      size_t held = 0, wrong = 0;
+      for (uint32_t label = 1; label <= count; ++label) {
+        const auto points = groups.of(label);
+        held += points.size();
+        for (size_t k = 0; k < points.size(); ++k)
+          if (labels[points[k]] != label || (k > 0 && points[k - 1] >= points[k])) ++wrong;
+      }
+      CHECK(wrong == 0);
+      CHECK(held == kPoints - static_cast<size_t>(std::ranges::count(labels, 0u)));
+    }
+  }
 }
 
 TEST_CASE("label_groups__of_nothing") {
