@@ -12,6 +12,9 @@ namespace jalon {
 namespace {
 
 constexpr size_t kLoneGrain = 1 << 14;
+// So many points before and behind on the curve are looked at before the tree is asked, which takes some hundred times
+// as long as one of them.
+constexpr size_t kOnCurve = 8;
 
 }  // namespace
 
@@ -28,9 +31,13 @@ LonePoints::LonePoints(const Cloud& cloud, std::span<const uint32_t> labels, dou
       if (labels[i] != 0) continue;
       const Vec3 p = cloud.point(i);
       // One that follows on the curve is near nearly always: few are searched for.
-      const auto is_near = [&](uint32_t j) { return squared_norm(cloud.point(j) - p) <= near2; };
-      if ((s > 0 && is_near(order[s - 1])) || (s + 1 < order.size() && is_near(order[s + 1])))
-        continue;
+      const auto is_near = [&](size_t at) {
+        return at < order.size() && squared_norm(cloud.point(order[at]) - p) <= near2;
+      };
+      bool has_near = false;
+      for (size_t k = 1; k <= kOnCurve && !has_near; ++k)
+        has_near = (s >= k && is_near(s - k)) || is_near(s + k);
+      if (has_near) continue;
       if (tree->knn(p, 2, found) == 2 && found[1].squared_distance <= near2) continue;
       std::atomic_ref<uint64_t>(bits_[i / 64])
           .fetch_or(uint64_t{1} << i % 64, std::memory_order_relaxed);
