@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cli/model_files.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/methods.h"
 #include "cli/output_check.h"
+#include "cli/outputs/beside.h"
 #include "cli/table.h"
 
 namespace jalon::cli {
@@ -81,6 +83,21 @@ void write_relations(const Console& console, jalon_model* model, const std::stri
   write_text_file(path, Table(std::move(fields)).csv());
 }
 
+// An orthoimage to be written.
+struct OrthoimageFile {
+  std::string stem, extension;
+  uint64_t facade = 0;    // 0: the only one
+  std::string why_not{};  // it was left out
+};
+
+// Each holds its facade's points and pixels while it is made.
+constexpr size_t kImagesAtOnce = 4;
+
+bool is_left_out(jalon_status status) {
+  return status == JALON_ERROR_DEGENERATE || status == JALON_ERROR_INSUFFICIENT_DATA ||
+         status == JALON_ERROR_UNSUPPORTED;  // a library without libpng
+}
+
 }  // namespace
 
 Segmenter make_segmenter(const std::string& method, Params& params) {
@@ -125,35 +142,41 @@ void Orthoimages::check() const { settings.apply(make_params("orthoimage").get()
 std::vector<std::string> Orthoimages::write(const Console& console,
                                             jalon_segmentation* segmentation, jalon_model* model,
                                             uint64_t facades, OutputFolder& folder) const {
-  std::vector<std::string> names;
+  std::vector<OrthoimageFile> files;
   const Params options = make_params("orthoimage");
   settings.apply(options.get());
   int64_t only = 0;
   must(jalon_params_get_int64(options.get(), "facade", &only));
   const bool each = only == 0 && facades > 1;
-  const auto write_one = [&](const std::string& stem, const std::string& extension) {
-    const jalon_status status = jalon_report_write_orthoimage(
-        segmentation, model, folder.unlisted_path(stem + extension).c_str(), options.get(),
-        console.task());
-    if (status == JALON_ERROR_DEGENERATE || status == JALON_ERROR_INSUFFICIENT_DATA ||
-        status == JALON_ERROR_UNSUPPORTED) {  // a library without libpng
-      console.warn(stem + extension + " is left out: " + jalon_last_error_message());
-      return;
-    }
-    must(status);
-    for (const std::string& name : {stem + extension, stem + ".pgw"})
-      if (name.ends_with(extension) || extension == ".png") {
-        folder.path(name);
-        names.push_back(name);
-      }
-  };
-  for (const char* extension : {".png", ".tif"}) {
-    if (kind != "both" && extension != "." + kind) continue;
-    for (uint64_t k = each ? 1 : 0; k <= (each ? facades : 0); ++k) {
-      if (each) must(jalon_params_set_int64(options.get(), "facade", static_cast<int64_t>(k)));
-      write_one(each ? "orthoimage_" + std::to_string(k) : "orthoimage", extension);
-    }
+  for (const char* extension : {".png", ".tif"})
+    if (kind == "both" || extension == "." + kind)
+      for (uint64_t k = each ? 1 : 0; k <= (each ? facades : 0); ++k)
+        files.push_back({each ? "orthoimage_" + std::to_string(k) : "orthoimage", extension, k});
+  // Packing one's pixels is for one thread alone.
+  for (size_t begin = 0; begin < files.size(); begin += kImagesAtOnce) {
+    Beside beside(console);
+    for (size_t i = begin; i < std::min(files.size(), begin + kImagesAtOnce); ++i)
+      beside.run([&, i](jalon_task* task) {
+        const Params own = make_params("orthoimage");
+        settings.apply(own.get());
+        if (each)
+          must(jalon_params_set_int64(own.get(), "facade", static_cast<int64_t>(files[i].facade)));
+        const std::string path = folder.unlisted_path(files[i].stem + files[i].extension);
+        const jalon_status status =
+            jalon_report_write_orthoimage(segmentation, model, path.c_str(), own.get(), task);
+        if (is_left_out(status)) files[i].why_not = jalon_last_error_message();
+        else must(status);
+      });
+    beside.wait();
   }
+  std::vector<std::string> names;
+  for (const auto& [stem, extension, facade, why_not] : files) {
+    if (!why_not.empty()) console.warn(stem + extension + " is left out: " + why_not);
+    if (!why_not.empty()) continue;
+    names.push_back(stem + extension);
+    if (extension == ".png") names.push_back(stem + ".pgw");
+  }
+  for (const std::string& name : names) folder.path(name);
   return names;
 }
 
