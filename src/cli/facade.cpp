@@ -9,6 +9,7 @@
 #include "cli/output_folder.h"
 #include "cli/outputs/beside.h"
 #include "cli/outputs/facade_advice.h"
+#include "cli/system/memory.h"
 
 namespace jalon::cli {
 
@@ -167,6 +168,7 @@ struct Facade {
       throw Failure{JALON_ERROR_DEGENERATE, input.path + ": " + why};
     notes["times"]["segment"] = console.seconds();
     console.step("model");
+    keep_large_blocks();  // finding planes needs the most
     OutputFolder folder(output);
     Beside beside(console);
     write_segments(segmentation, folder, beside);
