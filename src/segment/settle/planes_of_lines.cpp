@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "base/parallel.h"
 #include "cloud/spread.h"
@@ -25,7 +27,12 @@ constexpr size_t kMostLooked = 512;  // points of a cell: they tell its plane
 // that bends, are a third of it at most.
 constexpr double kLeastWidth = 0.15, kMostThickness = 1.0 / 3;
 constexpr double kLineWidth = 0.1;  // of the edge
-constexpr double kOther = 0.8;      // cosine: planes of 37 degrees are two
+// Tolerances: a slab of two, evenly filled, deviates by 0.58. Noise stays within it, and what is wider has a width.
+constexpr double kWidestNoise = 0.58;
+// Share of a cloud's points. Scans by tripods have at most 0.08, of far ground or of frames alone; turns of spinning
+// heads 0.2 to 1.
+constexpr double kMostInLines = 0.12;
+constexpr double kOther = 0.8;  // cosine: planes of 37 degrees are two
 
 Eigen3 extents_of(const SegmentScene& scene, size_t count, auto&& position_of) {
   Moments moments;
@@ -37,19 +44,43 @@ Eigen3 extents_of(const SegmentScene& scene, size_t count, auto&& position_of) {
 
 double deviation(double variance) { return std::sqrt(std::max(0.0, variance)); }
 
-// Whether a line of points runs through it that is all the plane's own: an edge or a narrow strip, which lines cross,
-// has neighbours beside it.
-bool is_on_own_line(const SegmentScene& scene, const Surface& surface, uint32_t position,
-                    std::vector<Neighbour>& found, std::vector<Neighbour>& theirs) {
+// The points nearest to one of the plane's, its own first; how many of them are.
+size_t own_of_nearest(const SegmentScene& scene, const Surface& surface, uint32_t position,
+                      std::vector<Neighbour>& found) {
   const Octree& tree = *scene.tree;
   found.resize(std::min<size_t>(kNeighbours, scene.size()));
   tree.knn_positions(tree.cube().origin + tree.local(position), static_cast<uint32_t>(found.size()),
                      found);
-  const auto own = std::ranges::count_if(found, [&](const Neighbour& n) {
+  const auto others = std::stable_partition(found.begin(), found.end(), [&](const Neighbour& n) {
     return std::ranges::binary_search(surface.positions, n.index);
   });
-  return static_cast<double>(own) >= kOwnNeighbours * static_cast<double>(found.size()) &&
-         lies_in_line(tree, found, theirs);
+  return static_cast<size_t>(others - found.begin());
+}
+
+// Standard deviation of points across the line that they follow one after the other, however it bends: of each from the
+// chord of the two beside it, divided by what their own deviations add (Gasser, Sroka & Jennen-Steinmetz 1986).
+double deviation_across_line(const SegmentScene& scene, std::span<const Neighbour> points) {
+  struct Place {
+    double along, across;
+  };
+  const Eigen3 extents =
+      extents_of(scene, points.size(), [&](size_t i) { return points[i].index; });
+  std::vector<Place> line;
+  for (const Neighbour& n : points) {
+    const Vec3 at = scene.local(n.index);
+    line.push_back({dot(at, extents.vectors[2]), dot(at, extents.vectors[1])});
+  }
+  std::ranges::sort(line, {}, [](const Place& p) { return std::pair(p.along, p.across); });
+  double sum = 0;
+  size_t count = 0;
+  for (size_t i = 1; i + 1 < line.size(); ++i) {
+    const double gap = line[i + 1].along - line[i - 1].along;
+    const double next = gap > 0 ? (line[i].along - line[i - 1].along) / gap : 0.5, last = 1 - next;
+    const double apart = last * line[i - 1].across + next * line[i + 1].across - line[i].across;
+    sum += apart * apart / (last * last + next * next + 1);
+    ++count;
+  }
+  return std::sqrt(sum / static_cast<double>(std::max<size_t>(count, 1)));
 }
 
 enum class Around { kUnknown, kLine, kSurface };
@@ -106,36 +137,53 @@ Told told_around(const SegmentScene& scene, const Surface& surface) {
   return told;
 }
 
-// Neighbours of neighbours cost most: they are asked for only as long as they can decide.
-bool is_of_lines(const SegmentScene& scene, const Surface& surface) {
+enum class Spanned { kBySurface, kByStrip, kByLines };
+
+// What spans a plane: lines where most of its points lie in one that is dense along itself and all the plane's own (an
+// edge, which lines cross, has neighbours beside it). Wider than noise makes a line it is a narrow strip: joinery, of
+// which a scan has two rows. Neighbours of neighbours cost most: they are asked for only as long as they can decide.
+Spanned spanned(const SegmentScene& scene, const Surface& surface) {
   const Told told = told_around(scene, surface);
-  if (told.points < kLeastTold) return false;
   const auto are_most = [&](size_t lines) {
     return static_cast<double>(lines) > kShareOfLines * static_cast<double>(told.points);
   };
+  if (told.points < kLeastTold || !are_most(told.in_lines.size())) return Spanned::kBySurface;
   std::vector<Neighbour> neighbours, theirs;
-  size_t lines = 0, may_be = told.in_lines.size();
+  double across_m = 0;
+  size_t dense = 0, lines = 0, may_be = told.in_lines.size();
   for (const uint32_t position : told.in_lines) {
-    if (are_most(lines) || !are_most(may_be)) break;
-    if (is_on_own_line(scene, surface, position, neighbours, theirs)) ++lines;
-    else --may_be;
+    const size_t own = own_of_nearest(scene, surface, position, neighbours);
+    const bool is_dense =
+        static_cast<double>(own) >= kOwnNeighbours * static_cast<double>(neighbours.size());
+    if (is_dense) {
+      ++dense;
+      across_m += deviation_across_line(scene, std::span(neighbours).first(own));
+    }
+    if (are_most(lines)) continue;
+    if (is_dense && lies_in_line(*scene.tree, neighbours, theirs)) ++lines;
+    else if (!are_most(--may_be)) return Spanned::kBySurface;
   }
-  return are_most(lines);
+  const double widest_m = kWidestNoise * scene.settings.distance_tolerance_m;
+  return across_m >= widest_m * static_cast<double>(dense) ? Spanned::kByStrip : Spanned::kByLines;
 }
 
 }  // namespace
 
 void drop_planes_of_lines(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task) {
-  std::vector<uint8_t> drops(surfaces.size());
+  std::vector<Spanned> by(surfaces.size(), Spanned::kBySurface);
   parallel_for(task, surfaces.size(), 1, [&](size_t s, size_t) {
-    drops[s] = surfaces[s].is_plane() && is_of_lines(scene, surfaces[s]);
+    if (surfaces[s].is_plane()) by[s] = spanned(scene, surfaces[s]);
   });
-  if (std::ranges::find(drops, 1) == drops.end()) return;
+  // Where all of a cloud is lines, as of a spinning head, so are its narrow strips: of its noise or over rough things.
+  if (std::ranges::find(by, Spanned::kByStrip) != by.end() &&
+      spread_of(*scene.tree, kNeighbours, task).in_lines > kMostInLines)
+    std::ranges::replace(by, Spanned::kByStrip, Spanned::kByLines);
+  if (std::ranges::find(by, Spanned::kByLines) == by.end()) return;
   for (size_t s = 0; s < surfaces.size(); ++s)
-    if (drops[s] != 0)
+    if (by[s] == Spanned::kByLines)
       for (const uint32_t position : surfaces[s].positions) scene.owner[position] = 0;
   size_t next = 0;
-  std::erase_if(surfaces, [&](const Surface&) { return drops[next++] != 0; });
+  std::erase_if(surfaces, [&](const Surface&) { return by[next++] == Spanned::kByLines; });
 }
 
 }  // namespace jalon
