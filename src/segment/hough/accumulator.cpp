@@ -16,13 +16,10 @@ namespace {
 constexpr double kMostCells = 1 << 23;  // 32 MiB
 constexpr size_t kVotersPerChunk = 256;
 
-}  // namespace
-
-HoughAccumulator::HoughAccumulator(double angle_step_rad, double rho_step_m, double half_m)
-    : rho_step_m_(rho_step_m), half_m_(half_m) {
+std::vector<Vec3> half_a_sphere(double angle_step_rad) {
   const double quarter = std::numbers::pi / 2;
   const auto rows = static_cast<uint32_t>(std::max(1.0, std::round(quarter / angle_step_rad)));
-  directions_.push_back({0, 0, 1});
+  std::vector<Vec3> directions{{0, 0, 1}};
   for (uint32_t row = 1; row <= rows; ++row) {
     const double theta = quarter * row / rows;
     // On the horizon a direction and its opposite are one plane's: half a circle.
@@ -31,16 +28,28 @@ HoughAccumulator::HoughAccumulator(double angle_step_rad, double rho_step_m, dou
         static_cast<uint32_t>(std::max(1.0, std::round(circle * std::sin(theta) / angle_step_rad)));
     for (uint32_t c = 0; c < cells; ++c) {
       const double phi = circle * c / cells;
-      directions_.push_back({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
-                             row == rows ? 0 : std::cos(theta)});
+      directions.push_back({std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi),
+                            row == rows ? 0 : std::cos(theta)});
     }
   }
+  return directions;
+}
+
+}  // namespace
+
+HoughAccumulator::HoughAccumulator(double angle_step_rad, double rho_step_m, double half_m)
+    : directions_(half_a_sphere(angle_step_rad)), rho_step_m_(rho_step_m), half_m_(half_m) {
   const double most = kMostCells / static_cast<double>(directions_.size());
   rho_step_m_ = std::max(rho_step_m_, 2 * half_m_ / most);
   rhos_ = static_cast<uint32_t>(std::ceil(2 * half_m_ / rho_step_m_)) + 1;
   votes_.assign(directions_.size() * rhos_, 0);
   best_.resize(directions_.size());
   stale_.assign(directions_.size(), 1);
+}
+
+double HoughAccumulator::longest_half_m(double angle_step_rad, double rho_step_m) {
+  const auto directions = static_cast<double>(half_a_sphere(angle_step_rad).size());
+  return rho_step_m * (kMostCells / directions) / 2;
 }
 
 uint32_t HoughAccumulator::rho_of(const Vec3& point, size_t direction) const {

@@ -17,6 +17,8 @@ class HoughAccumulator {
  public:
   /// Distances reach to half_m; the step grows where there would be more than some million cells.
   HoughAccumulator(double angle_step_rad, double rho_step_m, double half_m);
+  /// The greatest half_m that leaves the step as it is.
+  static double longest_half_m(double angle_step_rad, double rho_step_m);
 
   struct Voter {
     Vec3 point;   ///< from the middle

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "segment/hough/accumulator.h"
+#include "segment/surface/near_most.h"
 
 namespace jalon {
 
@@ -21,10 +23,13 @@ constexpr double kPoolBelow = 0.5;          // share of free points at which the
 class Hough {
  public:
   Hough(RansacScene& scene, const HoughSettings& settings, Task& task)
-      : scene_(scene), settings_(settings), task_(task), pool_(scene, task) {
-    const double half = scene.tree->cube().edge / 2;
-    middle_ = {half, half, half};
-  }
+      : scene_(scene),
+        settings_(settings),
+        task_(task),
+        pool_(scene, task),
+        rho_step_m_(settings.distance_step_m > 0
+                        ? settings.distance_step_m
+                        : kTolerancesPerRho * settings.surface.distance_tolerance_m) {}
 
   std::vector<Surface> run() {
     for (int round = 0; round < kMostRounds; ++round) {
@@ -45,9 +50,8 @@ class Hough {
   size_t least_points() const { return std::max<size_t>(3, settings_.surface.min_points); }
 
   // Free points evenly along the curve, those without a normal only where all vote for all directions.
-  void choose_voters() {
-    voters_.clear();
-    positions_.clear();
+  std::vector<uint32_t> chosen_voters() {
+    std::vector<uint32_t> chosen;
     size_t able = 0;
     const bool by_normals = settings_.votes == HoughVotes::kNormals;
     const auto may = [&](size_t i) {
@@ -56,25 +60,61 @@ class Hough {
     for (size_t i = 0; i < scene_.size(); ++i) able += may(i);
     const size_t step = std::max<size_t>(1, (able + settings_.voters - 1) / settings_.voters);
     size_t turn = 0;
-    for (size_t i = 0; i < scene_.size(); ++i) {
-      if (!may(i) || turn++ % step != 0) continue;
-      const float* m = &scene_.normals[3 * i];
-      Voter voter{scene_.local(i) - middle_, {}};
-      if (by_normals)
+    for (size_t i = 0; i < scene_.size(); ++i)
+      if (may(i) && turn++ % step == 0) chosen.push_back(static_cast<uint32_t>(i));
+    step_ = static_cast<double>(step);
+    return chosen;
+  }
+
+  // The middle that distances are from, and how far they reach: of the octree's cube, unless steps of the distance
+  // would be wider for it. Then of what lies near most of those that are to vote; gives back the others.
+  std::vector<uint32_t> choose_middle(const std::vector<uint32_t>& chosen) {
+    const double half = scene_.tree->cube().edge / 2;
+    middle_ = {half, half, half};
+    half_m_ = norm(middle_);
+    if (half_m_ <= HoughAccumulator::longest_half_m(settings_.angle_step_rad, rho_step_m_))
+      return {};
+    std::vector<Vec3> points;
+    for (const uint32_t position : chosen) points.push_back(scene_.local(position));
+    const Box3 near_most = box_near_most(points);
+    std::vector<uint32_t> far;
+    Box3 box;
+    for (size_t i = 0; i < chosen.size(); ++i)
+      if (lies_in(near_most, points[i])) box.add(points[i]);
+      else far.push_back(chosen[i]);
+    middle_ = 0.5 * (box.min + box.max);
+    half_m_ = 0.5 * norm(box.max - box.min);
+    return far;
+  }
+
+  void be_voters(const std::vector<uint32_t>& chosen, const std::vector<uint32_t>& far) {
+    positions_.clear();
+    std::ranges::set_difference(chosen, far, std::back_inserter(positions_));
+    voters_.clear();
+    for (const uint32_t position : positions_) {
+      const float* m = &scene_.normals[3 * size_t{position}];
+      Voter voter{scene_.local(position) - middle_, {}};
+      if (settings_.votes == HoughVotes::kNormals)
         voter.normal = {static_cast<double>(m[0]), static_cast<double>(m[1]),
                         static_cast<double>(m[2])};
       voters_.push_back(voter);
-      positions_.push_back(static_cast<uint32_t>(i));
     }
-    step_ = static_cast<double>(step);
   }
 
+  // Those near most of them vote first, then those of what lies far off: a stray point widens no step for all.
   void run_round() {
-    choose_voters();
-    const double rho = settings_.distance_step_m > 0
-                           ? settings_.distance_step_m
-                           : kTolerancesPerRho * settings_.surface.distance_tolerance_m;
-    HoughAccumulator votes(settings_.angle_step_rad, rho, norm(middle_));
+    std::vector<uint32_t> chosen = chosen_voters();
+    for (double begin = 0; !chosen.empty(); begin = (1 + begin) / 2) {
+      std::vector<uint32_t> far = choose_middle(chosen);
+      ProgressSpan span(task_, begin, far.empty() ? 1 : (1 + begin) / 2);
+      be_voters(chosen, far);
+      take_peaks();
+      chosen = std::move(far);
+    }
+  }
+
+  void take_peaks() {
+    HoughAccumulator votes(settings_.angle_step_rad, rho_step_m_, half_m_);
     votes.vote(voters_, kNormalReach_rad, task_);
     const double least = std::max(kLeastVotes, static_cast<double>(least_points()) / step_ / 4);
     const auto all = static_cast<double>(std::max<size_t>(1, voters_.size()));
@@ -150,7 +190,9 @@ class Hough {
   const HoughSettings& settings_;
   Task& task_;
   PointPool pool_;
-  Vec3 middle_;
+  double rho_step_m_;
+  Vec3 middle_;  ///< that distances of planes are from
+  double half_m_ = 0;
   std::vector<Voter> voters_;
   std::vector<uint32_t> positions_;  ///< of the voters
   double step_ = 1;                  ///< free points for one voter

@@ -10,6 +10,7 @@
 
 #include "base/buffer.h"
 #include "base/parallel.h"
+#include "segment/raster/image_box.h"
 
 namespace jalon {
 
@@ -17,54 +18,16 @@ namespace {
 
 constexpr size_t kImagePointsPerChunk = 1 << 15;
 constexpr size_t kImagePixelsPerChunk = 1 << 12;
-constexpr double kMostPixelsPerPoint =
-    1.5;  // 25 B a pixel with what grows on it: an image is no larger than the points' columns
-constexpr double kLeastPixels = 1 << 16;  // that any cloud may have
 constexpr uint64_t kNoReturn = 0;
 constexpr uint32_t kInNoPixel = 0xffffffffu;
 
-struct ImageBox {
-  std::array<double, 3> low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-  size_t points = 0;
-  void add(const std::array<double, 3>& at) {
-    for (size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], at[k]);
-      high[k] = std::max(high[k], at[k]);
-    }
-    ++points;
-  }
-  ImageBox& operator+=(const ImageBox& b) {
-    for (size_t k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], b.low[k]);
-      high[k] = std::max(high[k], b.high[k]);
-    }
-    points += b.points;
-    return *this;
-  }
-};
-
-ImageBox free_points_box(const SegmentScene& scene, std::span<const uint32_t> candidates,
-                         const ImageAxes& axes, Task& task) {
-  return parallel_reduce(task, candidates.size(), kImagePointsPerChunk, ImageBox{},
-                         [&](size_t begin, size_t end) {
-                           ImageBox box;
-                           for (const uint32_t i : candidates.subspan(begin, end - begin)) {
-                             if (scene.owner[i] != 0) continue;
-                             const Vec3 p = scene.local(i);
-                             box.add({dot(p, axes.u), dot(p, axes.v), dot(p, axes.n)});
-                           }
-                           return box;
-                         });
-}
-
 void size_image(DepthImage& image, const ImageBox& box, size_t points, double pixel_m) {
-  const double most = std::max(kLeastPixels, kMostPixelsPerPoint * static_cast<double>(points));
-  const auto cells = [&](size_t k) { return std::floor((box.high[k] - box.low[k]) / pixel_m) + 1; };
-  while (cells(0) * cells(1) > most) pixel_m *= 2;
+  const double most = most_image_pixels(points);
+  while (box.cells(0, pixel_m) * box.cells(1, pixel_m) > most) pixel_m *= 2;
   image.low = {box.low[0], box.low[1]};
   image.pixel_m = pixel_m;
-  image.columns = static_cast<uint32_t>(cells(0));
-  image.rows = static_cast<uint32_t>(cells(1));
+  image.columns = static_cast<uint32_t>(box.cells(0, pixel_m));
+  image.rows = static_cast<uint32_t>(box.cells(1, pixel_m));
   const size_t size = size_t{image.columns} * image.rows;
   image.pixels.resize(size);
   image.occupied.assign(size, 0);

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/parallel.h"
+#include "segment/raster/image_box.h"
 #include "segment/raster/layers.h"
 #include "segment/raster/pixel_growth.h"
 
@@ -94,17 +96,38 @@ class RasterSearch {
     free_points_ = candidates_.size();
   }
 
-  // Rasters along one direction until one takes nothing worth while: behind the first, regions start where the one
-  // before took what stood in front, as long as the points left are about as dense.
+  // Those of most points, then those of what lies far from them: a stray point makes no image of all too wide.
   void grow_along(const ImageAxes& axes) {
     candidates_ = free_among(candidates_.size(), [&](size_t k) { return candidates_[k]; });
-    RasterLayers layers(scene_, settings_, candidates_);
+    if (free_points_ < least_points()) return;
+    std::vector<uint32_t> far = far_candidates(scene_, candidates_, axes, own_pixel_m(), task_);
+    if (far.empty()) return grow_layers(axes, candidates_);
+    std::vector<uint32_t> group = candidates_;
+    for (double begin = 0; group.size() >= least_points(); begin = (1 + begin) / 2) {
+      ProgressSpan span(task_, begin, (1 + begin) / 2);
+      std::vector<uint32_t> near;
+      std::ranges::set_difference(group, far, std::back_inserter(near));
+      grow_layers(axes, near);
+      group = std::move(far);
+      far = far_candidates(scene_, group, axes, own_pixel_m(), task_);
+    }
+  }
+
+  uint32_t next_id() const { return next_id_; }
+
+ private:
+  size_t least_points() const { return std::max<size_t>(3, settings_.surface.min_points); }
+
+  // Rasters along one direction until one takes nothing worth while: behind the first, regions start where the one
+  // before took what stood in front, as long as the points left are about as dense.
+  void grow_layers(const ImageAxes& axes, std::span<const uint32_t> candidates) {
+    RasterLayers layers(scene_, settings_, candidates);
     PixelGrowth growth;
     TakenPoints taken;
     double pixel_m = 0;
     const DepthImage& image = layers.image();
     for (uint32_t layer = 0; layer < settings_.layers; ++layer) {
-      if (free_points_ < std::max<size_t>(3, settings_.surface.min_points)) break;
+      if (free_points_ < least_points()) break;
       ProgressSpan span(task_, static_cast<double>(layer) / settings_.layers,
                         (layer + 1.0) / settings_.layers);
       const double own_m = own_pixel_m();
@@ -122,9 +145,6 @@ class RasterSearch {
     }
   }
 
-  uint32_t next_id() const { return next_id_; }
-
- private:
   // Those of the positions at(0) ... at(n - 1) that are free.
   template <class At>
   std::vector<uint32_t> free_among(size_t n, const At& at) {

@@ -109,6 +109,38 @@ TEST_CASE("plane_methods__find_the_planes_of_a_facade") {
   }
 }
 
+TEST_CASE("plane_methods__find_the_planes_of_a_facade_though_points_stray_kilometres_away") {
+  Scene scene = spec_facade(0.05, 12);
+  RandomStream random(12, 22);
+  for (const double away_m : {1200.0, 5000.0, 5000.0, 20000.0}) {
+    const Vec3 to = normalized({random.normal(), random.normal(), random.normal()});
+    scene.points.push_back(to * away_m);
+    scene.faces.push_back(0);
+  }
+  const CloudPtr cloud = cloud_of(scene.points);
+  for (const char* method : kPlaneMethods) {
+    INFO(std::string(method));
+    const Segmentation s = segment_by(method, cloud);
+    for (const int face : {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11})
+      CHECK(best_match(scene, s, face).share > 0.8);
+  }
+}
+
+TEST_CASE("plane_methods__find_the_planes_of_a_small_house_far_from_a_large_one") {
+  Scene scene = spec_facade(0.04, 13);
+  RandomStream random(13, 22);
+  const Vec3 far{3000, 1000, 0};
+  scene.rectangle(12, far, {2, 0, 0}, {0, 0, 1}, 1250, 0.003, random);
+  scene.rectangle(13, far, {0, 2, 0}, {0, 0, 1}, 1250, 0.003, random);
+  const CloudPtr cloud = cloud_of(scene.points);
+  for (const char* method : kPlaneMethods) {
+    INFO(std::string(method));
+    const Segmentation s = segment_by(method, cloud);
+    for (const int face : {1, 2, 7, 8, 9, 10, 11, 12, 13})
+      CHECK(best_match(scene, s, face).share > 0.8);
+  }
+}
+
 TEST_CASE("plane_methods__find_nothing_in_points_scattered_through_a_volume") {
   Scene scene;
   RandomStream random(11, 0);

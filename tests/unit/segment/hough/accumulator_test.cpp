@@ -26,6 +26,12 @@ TEST_CASE("accumulator__has_a_direction_within_reach_of_every_normal_and_none_tw
       REQUIRE(std::fabs(dot(votes.direction(a), votes.direction(b))) < std::cos(0.4 * step));
 }
 
+TEST_CASE("accumulator__widens_the_step_of_distances_beyond_what_it_has_cells_for") {
+  const double longest_m = HoughAccumulator::longest_half_m(0.05, 0.04);
+  CHECK(HoughAccumulator(0.05, 0.04, 0.999 * longest_m).rho_step_m() == 0.04);
+  CHECK(HoughAccumulator(0.05, 0.04, 1.1 * longest_m).rho_step_m() == doctest::Approx(0.044));
+}
+
 TEST_CASE("accumulator__peaks_at_the_plane_and_forgets_what_is_taken_back") {
   for (const bool with_normals : {true, false}) {
     HoughAccumulator votes(0.05, 0.05, 5);

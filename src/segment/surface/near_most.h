@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "geometry/vec.h"
+
+namespace jalon {
+
+/// The box near most points: that between the quartiles of each axis, and beyond it on all sides three times the widest
+/// distance of quartiles. Stray points, and places far from where three quarters are, lie outside. points: not empty.
+Box3 box_near_most(std::span<const Vec3> points);
+
+/// Whether the point lies in the box, its faces among it.
+bool lies_in(const Box3& box, const Vec3& point);
+
+}  // namespace jalon
