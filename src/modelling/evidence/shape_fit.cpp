@@ -20,26 +20,31 @@ constexpr double kCostOfSize = 1.5;  // of log n
 // the half of log n of minimum description length.
 constexpr double kCostOfCircle = 13.5;
 constexpr double kSeenHead = 0.65;  // of the length of sloping sides
-constexpr double kRoomShare = 0.6;  // of the box's sides, about it: an arch may rise from it
+// Of the box's sides, about it: an arch may rise from it; the largest box in a triangle is half as wide and as high.
+constexpr double kRoomShare = 0.6, kTriangleRoomShare = 1;
 constexpr uint32_t kRoomCells = 6;
 constexpr double kTaken = -3;
 // A wall that runs through a shape, broader than mullions are and this far within it: as much as ends a box.
 constexpr double kCrossingWall = -60, kWithin = 1.5;  // cells
 constexpr ShapeKind kOtherKinds[] = {ShapeKind::kTrapezium, ShapeKind::kTriangle, ShapeKind::kGable,
                                      ShapeKind::kArch, ShapeKind::kCircle};
-constexpr std::array kSteps{8.0, 4.0, 2.0, 1.0, 0.5, 0.25};  // cells
+// Steps of the sizes, halved from the first one on: cells; of a triangle as large a part of a box of many cells, for the
+// sides of its box and its slopes move together.
+constexpr double kFirstStep = 8, kLastStep = 0.25, kFirstStepShare = 0.25;
 
 // Weights of the cells about a box, summed along the rows.
 class Window {
  public:
   Window(const WallCells& cells, std::span<const uint8_t> taken, const CellBox& box,
          const ShapeWeights& weights) {
-    const auto room = [](uint32_t side) {
-      return kRoomCells + static_cast<uint32_t>(kRoomShare * side);
+    const auto about = [&](double share) {
+      const uint32_t by_c = kRoomCells + static_cast<uint32_t>(share * box.width()),
+                     by_r = kRoomCells + static_cast<uint32_t>(share * box.height());
+      return CellBox{box.c0 > by_c ? box.c0 - by_c : 0, box.r0 > by_r ? box.r0 - by_r : 0,
+                     std::min(cells.columns, box.c1 + by_c), std::min(cells.rows, box.r1 + by_r)};
     };
-    const uint32_t by_c = room(box.width()), by_r = room(box.height());
-    low_ = {box.c0 > by_c ? box.c0 - by_c : 0, box.r0 > by_r ? box.r0 - by_r : 0,
-            std::min(cells.columns, box.c1 + by_c), std::min(cells.rows, box.r1 + by_r)};
+    near_ = about(kRoomShare);
+    low_ = about(kTriangleRoomShare);
     stride_ = size_t{low_.width()} + 1;
     sums_.assign(stride_ * low_.height(), 0);
     for (uint32_t r = 0; r < low_.height(); ++r)
@@ -49,7 +54,7 @@ class Window {
         sums_[r * stride_ + c + 1] = sums_[r * stride_ + c] + static_cast<float>(w);
       }
     cost_ =
-        kCostOfSize * std::log(std::max(2.0, static_cast<double>(low_.width()) * low_.height()));
+        kCostOfSize * std::log(std::max(2.0, static_cast<double>(near_.width()) * near_.height()));
   }
 
   double score(const OpeningShape& shape) const {
@@ -66,9 +71,11 @@ class Window {
     return sum - cost_ * static_cast<double>(shape.size_count()) -
            (shape.kind == ShapeKind::kCircle ? kCostOfCircle : 0);
   }
-  bool holds(const RingBox& box) const {
-    return box.low.u >= low_.c0 && box.low.v >= low_.r0 && box.high.u <= low_.c1 &&
-           box.high.v <= low_.r1;
+  bool holds(const OpeningShape& shape) const {
+    const CellBox& room = shape.kind == ShapeKind::kTriangle ? low_ : near_;
+    const RingBox box = shape.box();
+    return box.low.u >= room.c0 && box.low.v >= room.r0 && box.high.u <= room.c1 &&
+           box.high.v <= room.r1;
   }
 
  private:
@@ -81,7 +88,7 @@ class Window {
     return line[c] + rest * (line[c + 1] - line[c]);
   }
 
-  CellBox low_;
+  CellBox near_, low_;
   size_t stride_ = 0;
   std::vector<float> sums_;
   double cost_ = 0;
@@ -91,15 +98,19 @@ class Window {
 // It keeps the middle of its box: it does not walk to another opening.
 FittedShape climbed(const Window& window, OpeningShape start, const Vec2& middle) {
   FittedShape best{start, window.score(start)};
-  for (const double step : kSteps)
+  const RingBox box = start.box();
+  double first = kFirstStep;
+  while (start.kind == ShapeKind::kTriangle &&
+         first < kFirstStepShare * std::max(box.width(), box.height()))
+    first *= 2;
+  for (double step = first; step >= kLastStep; step /= 2)
     for (bool better = true; better;) {
       better = false;
       for (size_t i = 0; i < start.size_count(); ++i)
         for (const double by : {step, -step}) {
           OpeningShape trial = best.shape;
           trial.sizes[i] += by;
-          if (!trial.is_valid() || !window.holds(trial.box()) || !trial.box().holds(middle))
-            continue;
+          if (!trial.is_valid() || !window.holds(trial) || !trial.box().holds(middle)) continue;
           const double score = window.score(trial);
           if (score <= best.score) continue;
           best = {trial, score};

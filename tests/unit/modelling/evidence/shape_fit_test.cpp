@@ -78,6 +78,24 @@ TEST_CASE("fitted_shape__recovers_the_form_with_borders_within_half_a_cell_on_av
     }
 }
 
+TEST_CASE("fitted_shape__fills_a_triangle_from_its_largest_box_however_fine_the_cells") {
+  // Under a verge: upright on one side, sloping on the other.
+  for (const uint32_t cells_across : {24u, 48u, 96u, 192u}) {
+    const double side = cells_across;
+    WallCells cells = painted::cells_of(2 * cells_across, 2 * cells_across);
+    cells.cell_m = 2.4 / side;
+    const double low = side / 2, high = low + side;
+    const OpeningShape truth{ShapeKind::kTriangle, {low, high, low, high, high}};
+    for_cells(cells, truth, [&](uint32_t c, uint32_t r) {
+      cells.states[size_t{r} * cells.columns + c] = WallState::kThrough;
+    });
+    const OpeningShape box{ShapeKind::kRectangle, {low + side / 2, high, low, low + side / 2}};
+    const FittedShape found = found_in(cells, box);
+    CHECK(found.shape.kind == ShapeKind::kTriangle);
+    CHECK(mean_distance(cells, found.shape, truth) < 1);
+  }
+}
+
 TEST_CASE("fitted_shape__a_rectangle_stays_a_rectangle_in_two_hundred_rasters") {
   RandomStream random(9, 31);
   for (uint64_t seed = 1; seed <= 200; ++seed) {
