@@ -30,6 +30,13 @@ std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates
   return out;
 }
 
+// What relief covers about an opening is none of the wall's own points: their contour shows both as one hole, or goes
+// round them in pieces. What is not enclosed has no surround: nothing tells that a wall goes on below what covers it.
+bool has_covered_openings(const WallEvidence& wall) {
+  return std::any_of(wall.openings.begin(), wall.openings.end(),
+                     [](const auto& o) { return o.is_opening && o.is_settled && is_enclosed(o); });
+}
+
 }  // namespace
 
 void look_at_planes(const Segmentation& segmentation, std::span<const size_t> segments,
@@ -98,7 +105,7 @@ ContourMaker contours_by(std::vector<WallEvidence>& evidence) {
                      const ForeignTest& foreign, Task& task) {
     WallEvidence& wall = evidence[segment];
     Contour plain = extract_contour(points, setting, task, foreign);
-    wall.is_plain = wall.is_wall() && wall.cells.set_back.empty() &&
+    wall.is_plain = wall.is_wall() && wall.cells.set_back.empty() && !has_covered_openings(wall) &&
                     (shows(plain, shapes_of(wall.openings, true)) ||
                      shows(plain, shapes_of(wall.openings, false)));
     if (!wall.is_drawn()) return plain;

@@ -48,6 +48,15 @@ inline bool is_framed(const OpeningCandidate& opening) {
   return opening.framed >= kFramedShare && opening.jambs >= kBothJambs;
 }
 
+/// Of the border of what is enclosed, as of empty openings (find_openings.cpp).
+constexpr double kEnclosedShare = 0.95;
+
+/// A surround encloses an opening as the broad wall does, beside a narrow pier too.
+inline bool is_enclosed(const OpeningCandidate& opening) {
+  return opening.framed >= kFramedShare ||
+         (opening.bordered >= kEnclosedShare && opening.relief >= kReliefShare);
+}
+
 struct OpeningSearch {
   double least_width_m = 0.12;  ///< of what is drawn as an opening
   bool by_cells = false;        ///< by decomposed_openings() (cell_decomposition.h) instead

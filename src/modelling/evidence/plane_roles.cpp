@@ -28,10 +28,9 @@ constexpr double kCoverShare = 0.6;  // of pilasters: cells of the wall that the
 constexpr double kCornice_m = 0.6;   // strips of a wall stand no farther before it
 constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
 constexpr double kFilledShare = 0.5;
-constexpr double kEnclosedShare = 0.95;  // of a border, as of empty ones (find_openings.cpp)
-constexpr double kGlimpsedShare = 0.2;   // of an opening's cells: past a bay window little is seen
-constexpr double kHidingShare = 0.2;     // sills and piers of a bay window, of what lies behind it
-constexpr int kHiddenProbes = 16;        // along each side of an opening
+constexpr double kGlimpsedShare = 0.2;  // of an opening's cells: past a bay window little is seen
+constexpr double kHidingShare = 0.2;    // sills and piers of a bay window, of what lies behind it
+constexpr int kHiddenProbes = 16;       // along each side of an opening
 
 bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
   const uint32_t k = kWellInside;
@@ -43,12 +42,6 @@ bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
 
 double share_of(size_t part, size_t all) {
   return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0;
-}
-
-// A surround encloses an opening as the broad wall does, beside a narrow pier too.
-bool is_enclosed(const OpeningCandidate& opening) {
-  return opening.framed >= kFramedShare ||
-         (opening.bordered >= kEnclosedShare && opening.relief >= kReliefShare);
 }
 
 // Whether a place before a plane lies in an opening of the wall. Walls have windows; gates and shutters, which may be
@@ -249,6 +242,13 @@ std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all,
       return &wall != &all[s] && is_lattice_on(all[s], wall, setting);
     });
     explained[s] = is_lattice ? all[s].measured_m2 : explained_m2(all[s]);
+    // Panes of a row of houses may be more than one of its walls: what they fill explains them.
+    std::vector<const WallEvidence*> windowed;
+    for (const WallEvidence& w : all)
+      if (w.is_wall() && w.has_framed_openings() &&
+          dot(w.cells.frame.normal, all[s].cells.frame.normal) >= kSameWay)
+        windowed.push_back(&w);
+    if (!all[s].has_framed_openings() && fills_openings(all[s], windowed)) explained[s] = 0;
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return explained[a] > explained[b]; });

@@ -4,6 +4,9 @@
 // What planes before and behind a wall are to it.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "modelling/contour/contour.h"
 #include "modelling/evidence/evidence.h"
 #include "unit/modelling/layers.h"
@@ -131,4 +134,29 @@ TEST_CASE("contours_by__draws_a_wall_by_its_evidence_where_its_points_have_a_hol
   CHECK_FALSE(both.evidence[0].is_plain);
   REQUIRE(both.plain.pieces.size() == 1);
   CHECK(both.plain.pieces[0].openings.size() == 4);
+}
+
+TEST_CASE("contours_by__pieces_of_a_wall_that_go_round_surrounds_do_not_show_its_openings") {
+  // Cut by a string course and by surrounds that touch it: the points' contour has no hole at all.
+  House house;
+  std::erase_if(house.wall, [](const Vec3& p) { return p.x > 7.5; });
+  std::vector<Vec3> relief;
+  add_layer(relief, 0, 2.85, 7.5, 0.2, -0.05);
+  add_layer(relief, 0, 0.4, 7.5, 0.4, -0.05);
+  for (const double left : kWindows) {
+    add_layer(relief, left - 0.25, 0.8, 0.25, 2.05, -0.05);
+    add_layer(relief, left + 1.2, 0.8, 0.25, 2.05, -0.05);
+  }
+  std::erase_if(house.wall, [](const Vec3& p) {
+    return (p.z > 2.85 && p.z < 3.05) || (p.z > 0.4 && p.z < 0.8) ||
+           std::any_of(std::begin(kWindows), std::end(kWindows),
+                       [&](double left) { return in_box(p, left - 0.25, 0.4, 1.7, 2.65); });
+  });
+  const BothContours both({house.wall, relief, house.panes});
+  CHECK(both.evidence[0].has_framed_openings());
+  CHECK_FALSE(both.evidence[0].is_plain);
+  for (const ContourPiece& piece : both.plain.pieces) CHECK(piece.openings.empty());
+  size_t openings = 0;
+  for (const ContourPiece& piece : both.drawn.pieces) openings += piece.openings.size();
+  CHECK(openings == 3);
 }
