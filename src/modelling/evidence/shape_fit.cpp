@@ -28,8 +28,8 @@ constexpr double kTaken = -3;
 constexpr double kCrossingWall = -60, kWithin = 1.5;  // cells
 constexpr ShapeKind kOtherKinds[] = {ShapeKind::kTrapezium, ShapeKind::kTriangle, ShapeKind::kGable,
                                      ShapeKind::kArch, ShapeKind::kCircle};
-// Steps of the sizes, halved from the first one on: cells; of a triangle as large a part of a box of many cells, for the
-// sides of its box and its slopes move together.
+// Steps of the sizes, halved from the first one on: cells; of a triangle as large a part of a box of many cells, for
+// its slopes move with the sides of its box.
 constexpr double kFirstStep = 8, kLastStep = 0.25, kFirstStepShare = 0.25;
 
 // Weights of the cells about a box, summed along the rows.
