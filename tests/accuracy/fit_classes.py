@@ -9,14 +9,21 @@ A row: the true classes, comma-separated where a label does not tell several apa
 logistic regression with a Gaussian prior (Bishop 2006, 4.3.4 and 5.5), whose width is that of the least loss over five
 parts of the rows, each told by what was fitted to the other four; rows stay in the order of their seeds, so that the
 parts share no facade but one. A row with several classes counts for what they have together.
+
+    python3 tests/accuracy/fit_classes.py --from old/class_weights.h rows.txt > src/modelling/facade/class_weights.h
+
+The weights of an earlier fit stay, and those of features that it lacks, flags from 0 to 1, are added. So rows of kinds
+that know such a feature change nothing else: what they show nothing of (glass of real shop fronts) is told as before.
 """
 
+import re
 import sys
 
 import numpy as np
 
 CLASSES = ["opening", "window", "door", "gateway", "shop_front", "vent", "recess"]
 PRIORS = [0.001, 0.002, 0.003, 0.005]  # of the squared weights of standardised features, a row
+ADDED_PRIORS = [0.0001, 0.0003, 0.001, 0.003]  # the same of weights of flags
 PARTS = 5
 STEPS = 600
 
@@ -37,40 +44,51 @@ def probabilities(weights, x):
     return score / score.sum(axis=1, keepdims=True)
 
 
-def loss_of(weights, x, allowed):
-    return -np.mean(np.log(np.maximum(1e-12, (probabilities(weights, x) * allowed).sum(axis=1))))
-
-
-def fitted(x, allowed, prior):
-    """Accelerated gradient descent (Nesterov 1983); the step by the largest curvature of a softmax."""
+def fitted(x, allowed, prior, earlier):
+    """Accelerated gradient descent (Nesterov 1983); the step by the largest curvature of a softmax. The columns of
+    earlier stand as they are."""
+    had = earlier.shape[1]
     weights = np.zeros((len(CLASSES), x.shape[1]))
+    weights[:, :had] = earlier
     ahead = weights
-    kept = np.ones_like(weights)
+    free = np.ones_like(weights)
+    free[:, :had] = 0
+    kept = free.copy()
     kept[:, 0] = 0  # the first feature is 1: no prior on it
-    step = 1 / (0.5 * np.linalg.norm(x.T @ x / len(x), 2) + prior)
+    fitted_to = x[:, had:]
+    step = 1 / (0.5 * np.linalg.norm(fitted_to.T @ fitted_to / len(x), 2) + prior)
     for k in range(STEPS):
         p = probabilities(ahead, x)
         target = p * allowed
         target /= np.maximum(1e-12, target.sum(axis=1, keepdims=True))
-        gradient = (p - target).T @ x / len(x) + prior * kept * ahead
+        gradient = free * ((p - target).T @ x) / len(x) + prior * kept * ahead
         new = ahead - step * gradient
         ahead = new + k / (k + 3) * (new - weights)
         weights = new
     return weights
 
 
+def written(path):
+    rows = re.findall(r"\{  // \w+\n(.*?)\},", open(path, encoding="utf-8").read(), re.S)
+    return np.array([[float(w) for w in row.replace("\n", " ").split(",") if w.strip()] for row in rows])
+
+
 def main():
-    x, allowed = read(sys.argv[1:])
+    is_added = sys.argv[1] == "--from"
+    earlier = written(sys.argv[2]) if is_added else np.zeros((len(CLASSES), 0))
+    x, allowed = read(sys.argv[3 if is_added else 1:])
     mean, width = x.mean(axis=0), x.std(axis=0)
     mean[0], width[0] = 0, 1
     width[width < 1e-6] = 1
+    if is_added:
+        mean[:], width[:] = 0, 1
     z = (x - mean) / width
     part = np.arange(len(z)) * PARTS // len(z)
     best = None
-    for prior in PRIORS:
+    for prior in ADDED_PRIORS if is_added else PRIORS:
         told = np.zeros_like(allowed)
         for k in range(PARTS):
-            told[part == k] = probabilities(fitted(z[part != k], allowed[part != k], prior), z[part == k])
+            told[part == k] = probabilities(fitted(z[part != k], allowed[part != k], prior, earlier), z[part == k])
         loss = -np.mean(np.log(np.maximum(1e-12, (told * allowed).sum(axis=1))))
         likeliest = told.argmax(axis=1)
         right = allowed[np.arange(len(z)), likeliest] > 0
@@ -81,8 +99,9 @@ def main():
                   file=sys.stderr)
         if best is None or loss < best[0]:
             best = (loss, prior)
-    weights = fitted(z, allowed, best[1])
-    weights -= weights.mean(axis=0)  # the same probabilities, the smallest numbers
+    weights = fitted(z, allowed, best[1], earlier)
+    if not is_added:
+        weights -= weights.mean(axis=0)  # the same probabilities, the smallest numbers
     weights = weights / width
     weights[:, 0] -= weights[:, 1:] @ mean[1:]
     print("""// SPDX-FileCopyrightText: 2026 The Jalon authors

@@ -13,6 +13,7 @@
 #include <map>
 #include <optional>
 
+#include "facade_kinds.h"
 #include "facade_truth.h"
 #include "modelling/facade/facade.h"
 #include "recipe.h"
@@ -36,19 +37,10 @@ constexpr Series kDeveloped{"seeds 1-100, developed", 1, 100},
 constexpr uint64_t kOfShortRun = 3;  ///< seeds, a thinner spacing
 constexpr double kShortRunSpacing_m = 0.04;
 
-/// No seed draws them; the first ones were reported once, and are developed with since.
-constexpr FacadeKind kNamedKinds[] = {FacadeKind::kTimbered, FacadeKind::kVilla,
-                                      FacadeKind::kSchool, FacadeKind::kSheds, FacadeKind::kNave};
-constexpr FacadeKind kTownKinds[] = {FacadeKind::kWarehouse, FacadeKind::kStaggered,
-                                     FacadeKind::kCorner};
 constexpr FacadeKind kUnseenKinds[] = {FacadeKind::kMill, FacadeKind::kInn, FacadeKind::kParade};
 
-FacadeKind drawn_kind(uint64_t) { return FacadeKind::kAny; }
 /// One after the other.
-FacadeKind named_kind(uint64_t seed) { return kNamedKinds[seed % std::size(kNamedKinds)]; }
-FacadeKind town_kind(uint64_t seed) { return kTownKinds[seed % std::size(kTownKinds)]; }
 FacadeKind unseen_kind(uint64_t seed) { return kUnseenKinds[seed % std::size(kUnseenKinds)]; }
-using KindOfSeed = FacadeKind (*)(uint64_t);
 
 bool is_developed(const std::string& kind) {
   return std::none_of(std::begin(kUnseenKinds), std::end(kUnseenKinds),

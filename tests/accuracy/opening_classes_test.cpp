@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 
 // Classes of openings and their confidence: on facades of the grammar, with the scanner's stations and without, and on
-// real ones. JALON_GRAMMAR_SEEDS=2001-2060 takes these seeds; JALON_CLASS_ROWS=rows.txt writes what the weights of
-// class_weights.h are fitted from (fit_classes.py).
+// real ones. JALON_GRAMMAR_SEEDS=2001-2060 takes these seeds, JALON_CLASS_KINDS=named|towns other kinds than they draw;
+// JALON_CLASS_ROWS=rows.txt writes what the weights of class_weights.h are fitted from (fit_classes.py).
 #include <doctest/doctest.h>
 
 #include <cstdlib>
 #include <fstream>
+#include <string_view>
 
 #include "base/text_number.h"
+#include "facade_kinds.h"
 #include "labelled_street.h"
 #include "modelling/facade/facade.h"
 #include "opening_classes.h"
@@ -31,9 +33,16 @@ ExtrusionSettings by_evidence() {
   return settings;
 }
 
+KindOfSeed kinds_asked_for() {
+  const char* kinds = std::getenv("JALON_CLASS_KINDS");
+  if (kinds == nullptr) return drawn_kind;
+  return std::string_view(kinds) == "towns" ? town_kind : named_kind;
+}
+
 std::vector<KnownOpening> of_grammar(uint64_t seed, bool has_stations) {
   Task task;
   SceneSettings settings{.name = SceneName::kGrammar, .seed = seed};
+  settings.grammar.kind = kinds_asked_for()(seed);
   if (!is_full()) settings.grammar.spacing_m = kShortRunSpacing_m;
   const SceneSurvey survey = scene_survey(settings);
   const FacadeTruth truth = facade_truth(settings, survey, task);

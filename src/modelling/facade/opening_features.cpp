@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "model/part_classes.h"
 #include "modelling/facade/part_rules.h"
@@ -23,7 +24,10 @@ constexpr double kUnknownDepth_m = 0.2;                  // usual: half a wall
 constexpr double kSetBackLeast_m = 0.4, kSetBackMost_m = 4.5;  // of loggias; of arcades
 constexpr double kSameSizeRatio = 0.2;                         // difference of logarithms
 constexpr double kSameHeight_m = 0.3;
-constexpr double kParallelWalls = 0.985;  // cosine of 10 degrees
+constexpr double kBeside = 0.5;  // of the lower one's height, what two of one storey have in common
+constexpr double kSillLeast_m = 0.5;  // a door's foot lies so far below windows' ones
+constexpr double kSameAxis = 0.1, kSameSides = 0.15;  // widths; difference of logarithms
+constexpr double kParallelWalls = 0.985;              // cosine of 10 degrees
 constexpr double kLeastSize_m = 0.05;
 
 struct Place {
@@ -116,8 +120,55 @@ bool is_same_size(const Place& a, const Place& b) {
          std::fabs(std::log(a.height() / b.height())) <= kSameSizeRatio;
 }
 
-OpeningFeatures features_of(const Place& place, double set_back, size_t same_row,
-                            size_t same_size) {
+double on_ground(const Place& place) { return 1 - soft_step(place.foot_m(), kStep_m, kStepSoft_m); }
+double upstairs(const Place& place) { return soft_step(place.foot_m(), kStorey_m, kStoreySoft_m); }
+
+// What the others of a facade say of one of its openings.
+struct Neighbours {
+  size_t same_row = 0, same_size = 0;
+  double over_door = 0;
+};
+
+bool is_beside(const Place& a, const Place& b) {
+  const double both = std::min(a.box.max.z, b.box.max.z) - std::max(a.box.min.z, b.box.min.z);
+  return both >= kBeside * std::min(a.height(), b.height());
+}
+
+// How much one looks like another one's twin over it, that stands on the ground.
+double stands_over(const Place& place, const Place& other) {
+  const auto likeness = [](double off, double by) { return std::exp(-off * off / (2 * by * by)); };
+  const double axis = (place.box.min.x + place.box.max.x - other.box.min.x - other.box.max.x) / 2;
+  return upstairs(place) * on_ground(other) * likeness(axis / place.width(), kSameAxis) *
+         likeness(std::log(place.width() / other.width()), kSameSides) *
+         likeness(std::log(place.height() / other.height()), kSameSides);
+}
+
+// 1 where it reaches down to the floor and the middle one of those beside it does not.
+double below_others(const Place& place, std::vector<double> feet) {
+  if (feet.empty()) return 0;
+  const auto middle = feet.begin() + static_cast<ptrdiff_t>(feet.size() / 2);
+  std::nth_element(feet.begin(), middle, feet.end());
+  return std::clamp((*middle - place.box.min.z) / kSillLeast_m, 0.0, 1.0);
+}
+
+Neighbours neighbours_of(const std::vector<Place>& places, size_t own) {
+  const Place& place = places[own];
+  Neighbours out;
+  std::vector<double> feet;
+  for (size_t k = 0; k < places.size(); ++k) {
+    if (k == own) continue;
+    const Place& other = places[k];
+    if (is_beside(place, other)) feet.push_back(other.box.min.z);
+    out.over_door = std::max(out.over_door, stands_over(place, other));
+    if (!is_same_size(place, other)) continue;
+    ++out.same_size;
+    out.same_row += std::fabs(place.box.min.z - other.box.min.z) <= kSameHeight_m;
+  }
+  out.over_door *= below_others(place, std::move(feet));
+  return out;
+}
+
+OpeningFeatures features_of(const Place& place, double set_back, const Neighbours& neighbours) {
   const FacadeOpening& o = *place.opening;
   const auto& edges = o.outline.edges;
   const auto arcs = std::count_if(edges.begin(), edges.end(),
@@ -126,8 +177,8 @@ OpeningFeatures features_of(const Place& place, double set_back, size_t same_row
   const bool has_depth = std::isfinite(o.depth_m);
   const double depth = std::clamp(has_depth ? o.depth_m : kUnknownDepth_m, 0.0, 1.0);
   const double shallow = has_depth ? std::exp(-depth / kShallow_m) : 0;
-  const double on_ground = 1 - soft_step(place.foot_m(), kStep_m, kStepSoft_m);
-  const double row = std::log1p(static_cast<double>(same_row));
+  const double at_ground = on_ground(place);
+  const double row = std::log1p(static_cast<double>(neighbours.same_row));
   OpeningFeatures out{};
   const auto set = [&](OpeningFeature which, double value) {
     out[static_cast<size_t>(which)] = value;
@@ -137,22 +188,23 @@ OpeningFeatures features_of(const Place& place, double set_back, size_t same_row
   set(kWidth, w), set(kHeight, h);
   set(kWidthSquared, w * w), set(kHeightSquared, h * h), set(kWidthByHeight, w * h);
   set(kFoot, std::clamp(place.foot_m(), 0.0, 2.0));
-  set(kOnGround, on_ground);
-  set(kUpstairs, soft_step(place.foot_m(), kStorey_m, kStoreySoft_m));
+  set(kOnGround, at_ground);
+  set(kUpstairs, upstairs(place));
   set(kHead, std::clamp(place.box.max.z - place.ground_m, 0.0, 5.0));
   set(kDepth, depth), set(kNoDepth, has_depth ? 0 : 1), set(kShallow, shallow);
   set(kJoinery, o.content.joinery), set(kBehind, o.content.behind), set(kEmpty, o.content.empty);
   set(kSetBack, set_back);
-  set(kSameRow, row), set(kSameSize, std::log1p(static_cast<double>(same_size)));
+  set(kSameRow, row), set(kSameSize, std::log1p(static_cast<double>(neighbours.same_size)));
   set(kArched, arcs > 0 ? 1 : 0);
   set(kRound, arcs == static_cast<ptrdiff_t>(edges.size()) ? 1 : 0);
   set(kAtBorder, o.is_notch ? 1 : 0);
-  set(kGroundWidth, on_ground * w), set(kGroundHeight, on_ground * h);
-  set(kGroundJoinery, on_ground * o.content.joinery);
-  set(kGroundBehind, on_ground * o.content.behind);
-  set(kGroundEmpty, on_ground * o.content.empty);
-  set(kGroundSameRow, on_ground * row), set(kGroundDepth, on_ground * depth);
+  set(kGroundWidth, at_ground * w), set(kGroundHeight, at_ground * h);
+  set(kGroundJoinery, at_ground * o.content.joinery);
+  set(kGroundBehind, at_ground * o.content.behind);
+  set(kGroundEmpty, at_ground * o.content.empty);
+  set(kGroundSameRow, at_ground * row), set(kGroundDepth, at_ground * depth);
   set(kSmallShallow, place.width() * place.height() < kSmall_m2 ? shallow : 0);
+  set(kOverDoor, neighbours.over_door);
   return out;
 }
 
@@ -178,14 +230,8 @@ std::vector<std::vector<OpeningFeatures>> opening_features(const FacadePlan& pla
     auto& rows = out.emplace_back();
     for (size_t k = 0; k < wall.wall.openings.size(); ++k, ++next) {
       const Place& place = places[next];
-      size_t same_row = 0, same_size = 0;
-      for (size_t other = 0; other < places.size(); ++other) {
-        if (other == next || !is_same_size(place, places[other])) continue;
-        ++same_size;
-        same_row += std::fabs(place.box.min.z - places[other].box.min.z) <= kSameHeight_m;
-      }
-      rows.push_back(
-          features_of(place, set_back_share(plan, frame, wall.plane, place), same_row, same_size));
+      rows.push_back(features_of(place, set_back_share(plan, frame, wall.plane, place),
+                                 neighbours_of(places, next)));
     }
   }
   return out;

@@ -41,6 +41,7 @@ enum class OpeningFeature : uint8_t {
   kGroundSameRow,
   kGroundDepth,
   kSmallShallow,  ///< kShallow of those below half a square metre
+  kOverDoor,  ///< 1 right over one of its size on the ground, and its foot below those beside it: loading doors
   kCount
 };
 inline constexpr size_t kOpeningFeatures = static_cast<size_t>(OpeningFeature::kCount);

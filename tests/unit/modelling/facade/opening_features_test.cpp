@@ -5,6 +5,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "unit/modelling/street_house.h"
 
@@ -48,4 +50,29 @@ TEST_CASE("opening_features__are_sizes_heights_over_the_ground_depths_and_neighb
   arcade.add_wall({3, 1.35}, {9, 4}, {}, -1.5);
   const auto behind = opening_features(arcade.plan, arcade.plan.facades[0]);
   CHECK(of(behind[0][7], OpeningFeature::kSetBack) == doctest::Approx(0.5));
+}
+
+TEST_CASE(
+    "opening_features__say_what_stands_over_a_door_of_its_size_and_reaches_down_to_the_floor") {
+  // A warehouse: a gateway, a loading door of its size over it, windows beside that, one elsewhere over nothing.
+  const auto loading_door = [](double foot_m, double sill_m) {
+    PlannedScene scene;
+    std::vector<FacadeOpening> openings;
+    for (const auto& [low, high] : {std::pair{Vec2{5, 0}, Vec2{6.5, 2.2}},
+                                    {Vec2{5, foot_m}, Vec2{6.5, foot_m + 2.2}},
+                                    {Vec2{1, sill_m}, Vec2{2, 5.6}},
+                                    {Vec2{8, sill_m}, Vec2{9, 5.6}},
+                                    {Vec2{8, 6.9}, Vec2{9, 8.3}}})
+      openings.push_back(filled(low, high, 0.2, kLeaf));
+    scene.add_wall({0, 0}, {12, 9}, openings);
+    const auto rows = opening_features(scene.plan, scene.plan.facades[0])[0];
+    REQUIRE(rows.size() == 5);
+    for (const size_t other : {0, 2, 3, 4})
+      CHECK(of(rows[other], OpeningFeature::kOverDoor) < 0.01);
+    return of(rows[1], OpeningFeature::kOverDoor);
+  };
+  CHECK(loading_door(3.4, 4.2) > 0.9);
+  // Windows beside it that reach as far down say that it is one of them; by half a sill's height it may be either.
+  CHECK(loading_door(3.4, 3.4) == 0);
+  CHECK(loading_door(3.4, 3.65) == doctest::Approx(0.5).epsilon(0.1));
 }
