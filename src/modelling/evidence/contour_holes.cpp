@@ -173,6 +173,18 @@ std::vector<Chain> holes_of(const Contour& contour, std::span<const OpeningShape
   return out;
 }
 
+bool has_holes_for(const Contour& contour, std::span<const OpeningShape> openings) {
+  return std::all_of(openings.begin(), openings.end(), [&](const OpeningShape& opening) {
+    for (const ContourPiece& piece : contour.pieces)
+      for (const Chain& hole : piece.openings) {
+        RingBox box;
+        box.add(hole);
+        if (overlap(box, opening.box()) >= kSamePlace) return true;
+      }
+    return false;
+  });
+}
+
 bool shows(const Contour& contour, std::span<const OpeningShape> openings) {
   std::vector<RingBox> holes;
   for (const ContourPiece& piece : contour.pieces)

@@ -36,6 +36,9 @@ Chain reversed_chain(Chain chain);
 std::vector<Chain> holes_of(const Contour& contour, std::span<const OpeningShape> openings,
                             const WallCells& cells);
 
+/// Whether each of these openings has a hole of its own.
+bool has_holes_for(const Contour& contour, std::span<const OpeningShape> openings);
+
 /// Whether a contour shows these openings and no other: each one hole has its place, or nothing of the contour does (it
 /// goes round an opening at its border).
 bool shows(const Contour& contour, std::span<const OpeningShape> openings);

@@ -21,6 +21,8 @@ namespace jalon {
 
 namespace {
 
+constexpr double kLargestSurrounded_m = 5;  // as of empty openings (find_openings.cpp)
+
 std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates,
                                     bool with_narrow) {
   std::vector<OpeningShape> out;
@@ -30,11 +32,17 @@ std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates
   return out;
 }
 
-// What relief covers about an opening is none of the wall's own points: their contour shows both as one hole, or goes
-// round them in pieces. What is not enclosed has no surround: nothing tells that a wall goes on below what covers it.
-bool has_covered_openings(const WallEvidence& wall) {
-  return std::any_of(wall.openings.begin(), wall.openings.end(),
-                     [](const auto& o) { return o.is_opening && o.is_settled && is_enclosed(o); });
+// What relief covers about an opening is none of the wall's own points: their contour may go round it in pieces without
+// a hole for it. What is not enclosed has no surround, nor has what is no window: a bay between posts and bands.
+std::vector<OpeningShape> covered_openings(const WallEvidence& wall) {
+  std::vector<OpeningShape> out;
+  for (const OpeningCandidate& o : wall.openings) {
+    const RingBox box = o.shape.box();
+    if (o.is_opening && o.is_settled && is_enclosed(o) &&
+        std::max(box.width(), box.height()) <= kLargestSurrounded_m)
+      out.push_back(o.shape);
+  }
+  return out;
 }
 
 }  // namespace
@@ -105,7 +113,8 @@ ContourMaker contours_by(std::vector<WallEvidence>& evidence) {
                      const ForeignTest& foreign, Task& task) {
     WallEvidence& wall = evidence[segment];
     Contour plain = extract_contour(points, setting, task, foreign);
-    wall.is_plain = wall.is_wall() && wall.cells.set_back.empty() && !has_covered_openings(wall) &&
+    wall.is_plain = wall.is_wall() && wall.cells.set_back.empty() &&
+                    has_holes_for(plain, covered_openings(wall)) &&
                     (shows(plain, shapes_of(wall.openings, true)) ||
                      shows(plain, shapes_of(wall.openings, false)));
     if (!wall.is_drawn()) return plain;

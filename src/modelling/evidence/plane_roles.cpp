@@ -242,13 +242,6 @@ std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all,
       return &wall != &all[s] && is_lattice_on(all[s], wall, setting);
     });
     explained[s] = is_lattice ? all[s].measured_m2 : explained_m2(all[s]);
-    // Panes of a row of houses may be more than one of its walls: what they fill explains them.
-    std::vector<const WallEvidence*> windowed;
-    for (const WallEvidence& w : all)
-      if (w.is_wall() && w.has_framed_openings() &&
-          dot(w.cells.frame.normal, all[s].cells.frame.normal) >= kSameWay)
-        windowed.push_back(&w);
-    if (!all[s].has_framed_openings() && fills_openings(all[s], windowed)) explained[s] = 0;
   }
   std::stable_sort(order.begin(), order.end(),
                    [&](size_t a, size_t b) { return explained[a] > explained[b]; });

@@ -69,6 +69,15 @@ size_t closing_level(const std::vector<Level>& levels) {
   return best;
 }
 
+// 3. The foremost one that is more than a handle; of many small ones the largest.
+const HoleFiller* foremost(const Level& level) {
+  const auto found = std::ranges::find_if(
+      level.fillers, [&](const HoleFiller* f) { return f->cells >= kLeastShare * level.cells; });
+  return found != level.fillers.end()
+             ? *found
+             : *std::ranges::max_element(level.fillers, {}, &HoleFiller::cells);
+}
+
 }  // namespace
 
 Joinery joinery_of(const HoleContent& content, double min_depth_m) {
@@ -77,9 +86,7 @@ Joinery joinery_of(const HoleContent& content, double min_depth_m) {
   double front_m = min_depth_m;
   if (!levels.empty()) {
     const Level& level = levels[closing_level(levels)];
-    out.filler =
-        *std::find_if(level.fillers.begin(), level.fillers.end(),
-                      [&](const HoleFiller* f) { return f->cells >= kLeastShare * level.cells; });
+    out.filler = foremost(level);
     front_m = level.fillers.front()->depth_m;
   }
   for (const HoleFiller& f : content.parallel)

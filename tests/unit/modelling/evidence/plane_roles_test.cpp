@@ -102,23 +102,6 @@ TEST_CASE("tell_roles__panes_of_one_depth_in_several_houses_fill_their_windows")
   CHECK(evidence[2].role == PlaneRole::kFilling);
 }
 
-TEST_CASE("tell_roles__panes_of_a_row_are_no_wall_of_which_a_narrow_house_is_relief") {
-  // More of the panes was measured than of the narrow house, whose piers hardly frame its windows.
-  std::vector<Vec3> narrow, panes;
-  add_layer(narrow, 12, 0, 3, 6, 0);
-  const auto open = [&](double left, double foot, double width, double height) {
-    cut(narrow, left, foot, width, height);
-    add_layer(panes, left, foot, width, height, 0.24);
-  };
-  open(13, 0.1, 0.9, 2);
-  for (const double left : {12.25, 13.17, 14.09}) open(left, 2.8, 0.67, 3);
-  for (const double left : {0.0, 6.0})
-    for (const double window : {1.0, 3.5}) add_layer(panes, left + window, 1, 1.2, 1.6, 0.24);
-  const auto evidence = evidence_of({house(0, 0), house(6, 0), narrow, panes});
-  for (size_t s = 0; s < 3; ++s) CHECK(evidence[s].role == PlaneRole::kWall);
-  CHECK(evidence[3].role == PlaneRole::kFilling);
-}
-
 TEST_CASE("tell_roles__where_a_house_stands_back_the_wall_beside_it_ends") {
   // A strip of the first house's plane goes on along the far end of the second.
   std::vector<Vec3> first = house(0, 0);

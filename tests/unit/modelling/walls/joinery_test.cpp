@@ -63,3 +63,10 @@ TEST_CASE("joinery__lies_behind_the_wall_and_what_is_flush_or_before_it_stands_i
   CHECK(closing({}, &standing) == 0);
   CHECK(standing.empty());
 }
+
+TEST_CASE("joinery__of_many_small_fillers_is_the_largest") {
+  // Twelve at one depth, none a tenth of them all: panes, bars and furniture in a large hole.
+  std::vector<HoleFiller> many;
+  for (uint32_t k = 0; k < 12; ++k) many.push_back(filler(k + 1, 0.4, k == 7 ? 36 : 33, k, 1));
+  CHECK(closing(many) == 8);
+}
