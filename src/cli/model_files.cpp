@@ -171,8 +171,10 @@ std::vector<std::string> Orthoimages::write(const Console& console,
   }
   std::vector<std::string> names;
   for (const auto& [stem, extension, facade, why_not] : files) {
-    if (!why_not.empty()) console.warn(stem + extension + " is left out: " + why_not);
-    if (!why_not.empty()) continue;
+    if (!why_not.empty()) {
+      console.warn(stem + extension + " is left out: " + why_not);
+      continue;
+    }
     names.push_back(stem + extension);
     if (extension == ".png") names.push_back(stem + ".pgw");
   }

@@ -22,7 +22,8 @@ inline void return_large_blocks() {
 
 /// From now on freed blocks up to a size stay for those to come: the system clears every fresh page, which costs a step
 /// that takes and gives back blocks again and again up to a tenth of its time. For steps after the one that needs most.
-/// `jalon facade` of 10 million points: nothing more at the peak; with blocks of up to 512 MiB 8 to 9 % more.
+/// `jalon facade` of 10 million points: 1 % more at the peak, with blocks of up to 512 MiB 8 to 9 %; of 745 000 points,
+/// whose peak is small, 22 %.
 inline void keep_large_blocks() {
 #ifdef __GLIBC__
   constexpr int kKept = 48 << 20;  // a number for each of 12 million points

@@ -59,6 +59,18 @@ bool is_solid(const Contour& contour, const Vec2& p) {
   });
 }
 
+std::vector<RingBox> boxes_of_holes(const Contour& contour) {
+  std::vector<RingBox> out;
+  for (const ContourPiece& piece : contour.pieces)
+    for (const Chain& hole : piece.openings) out.emplace_back().add(hole);
+  return out;
+}
+
+bool has_hole(const std::vector<RingBox>& holes, const OpeningShape& opening) {
+  return std::ranges::any_of(
+      holes, [&](const RingBox& hole) { return overlap(hole, opening.box()) >= kSamePlace; });
+}
+
 bool is_left_open(const Contour& contour, const OpeningShape& shape) {
   const RingBox box = shape.box();
   int all = 0, solid = 0;
@@ -174,27 +186,15 @@ std::vector<Chain> holes_of(const Contour& contour, std::span<const OpeningShape
 }
 
 bool has_holes_for(const Contour& contour, std::span<const OpeningShape> openings) {
-  return std::all_of(openings.begin(), openings.end(), [&](const OpeningShape& opening) {
-    for (const ContourPiece& piece : contour.pieces)
-      for (const Chain& hole : piece.openings) {
-        RingBox box;
-        box.add(hole);
-        if (overlap(box, opening.box()) >= kSamePlace) return true;
-      }
-    return false;
-  });
+  const std::vector<RingBox> holes = boxes_of_holes(contour);
+  return std::ranges::all_of(openings, [&](const OpeningShape& o) { return has_hole(holes, o); });
 }
 
 bool shows(const Contour& contour, std::span<const OpeningShape> openings) {
-  std::vector<RingBox> holes;
-  for (const ContourPiece& piece : contour.pieces)
-    for (const Chain& hole : piece.openings) holes.emplace_back().add(hole);
+  const std::vector<RingBox> holes = boxes_of_holes(contour);
   size_t shown = 0;
   for (const OpeningShape& opening : openings) {
-    const RingBox box = opening.box();
-    const bool is_shown = std::any_of(holes.begin(), holes.end(), [&](const RingBox& hole) {
-      return overlap(hole, box) >= kSamePlace;
-    });
+    const bool is_shown = has_hole(holes, opening);
     shown += is_shown;
     if (!is_shown && !is_left_open(contour, opening)) return false;
   }

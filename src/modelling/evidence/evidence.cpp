@@ -21,8 +21,6 @@ namespace jalon {
 
 namespace {
 
-constexpr double kLargestSurrounded_m = 5;  // as of empty openings (find_openings.cpp)
-
 std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates,
                                     bool with_narrow) {
   std::vector<OpeningShape> out;
@@ -39,7 +37,7 @@ std::vector<OpeningShape> covered_openings(const WallEvidence& wall) {
   for (const OpeningCandidate& o : wall.openings) {
     const RingBox box = o.shape.box();
     if (o.is_opening && o.is_settled && is_enclosed(o) &&
-        std::max(box.width(), box.height()) <= kLargestSurrounded_m)
+        std::max(box.width(), box.height()) <= kLargestWindow_m)
       out.push_back(o.shape);
   }
   return out;

@@ -35,12 +35,11 @@ constexpr uint32_t kThroughCells = 4;
 constexpr int kBlocks = 5;
 constexpr double kSeenBlocks = 0.3;
 // Larger ones that nothing was seen through are gateways or what nobody measured.
-constexpr double kEmptyMost_m = 5, kEmptyMost_m2 = 8;
+constexpr double kEmptyMost_m2 = 8;
 constexpr double kDoorStep_m =
     0.5;  // an empty place this near to the wall's foot: leaves of doors are always seen
 // What lies far behind may have been seen beside the opening: from below, past a balcony that hides the wall over it.
 constexpr double kDeepShare = 0.3, kOneJamb = 0.4;
-constexpr double kBordered = 0.95;      // of an empty one's border
 constexpr double kLeastBordered = 0.2;  // of any: nothing of the wall is about what lies beside it
 constexpr double kHiddenMost = 0.25;    // of its cells: rays to the rest went astray
 constexpr double kMostSlender =
@@ -192,7 +191,7 @@ bool is_recess(const OpeningCandidate& c) {
   if (c.inside.share(WallState::kDeep) < kDeepShare) return false;
   const RingBox box = c.shape.box();
   if (box.width() > kMostSlender * box.height()) return false;
-  return c.jambs >= (box.height() > kMostSlender * box.width() ? kBordered : kOneJamb);
+  return c.jambs >= (box.height() > kMostSlender * box.width() ? kEnclosedShare : kOneJamb);
 }
 
 // Steps 3 and 4.
@@ -204,12 +203,12 @@ bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
   if (is_recess(c)) return true;
   const RingBox box = c.shape.box();
   if (box.low.v <= foot_v + kDoorStep_m) return false;
-  if (std::max(box.width(), box.height()) > kEmptyMost_m ||
+  if (std::max(box.width(), box.height()) > kLargestWindow_m ||
       box.width() * box.height() > kEmptyMost_m2)
     return false;
   const double longer = std::max(box.width(), box.height()),
                shorter = std::min(box.width(), box.height());
-  return c.bordered >= kBordered && c.inside.share(WallState::kHidden) < kHiddenMost &&
+  return c.bordered >= kEnclosedShare && c.inside.share(WallState::kHidden) < kHiddenMost &&
          longer <= kMostSlender * shorter;
 }
 

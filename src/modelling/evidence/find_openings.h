@@ -48,8 +48,10 @@ inline bool is_framed(const OpeningCandidate& opening) {
   return opening.framed >= kFramedShare && opening.jambs >= kBothJambs;
 }
 
-/// Of the border of what is enclosed, as of empty openings (find_openings.cpp).
+/// Of the border of what is enclosed, empty openings among it.
 constexpr double kEnclosedShare = 0.95;
+/// Longer side of an opening of which its border alone tells.
+constexpr double kLargestWindow_m = 5;
 
 /// A surround encloses an opening as the broad wall does, beside a narrow pier too.
 inline bool is_enclosed(const OpeningCandidate& opening) {

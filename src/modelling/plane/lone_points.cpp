@@ -12,8 +12,7 @@ namespace jalon {
 namespace {
 
 constexpr size_t kLoneGrain = 1 << 14;
-// So many points before and behind on the curve are looked at before the tree is asked, which takes some hundred times
-// as long as one of them.
+// So many points before and behind on the curve are looked at before the tree is asked, which takes far longer.
 constexpr size_t kOnCurve = 8;
 
 }  // namespace

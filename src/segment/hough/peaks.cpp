@@ -80,7 +80,7 @@ class Hough {
     std::vector<uint32_t> far;
     Box3 box;
     for (size_t i = 0; i < chosen.size(); ++i)
-      if (lies_in(near_most, points[i])) box.add(points[i]);
+      if (near_most.contains(points[i])) box.add(points[i]);
       else far.push_back(chosen[i]);
     middle_ = 0.5 * (box.min + box.max);
     half_m_ = 0.5 * norm(box.max - box.min);

@@ -74,7 +74,7 @@ std::vector<uint32_t> far_candidates(const SegmentScene& scene,
   const Box3 near = box_near_most(sample);
   std::vector<uint32_t> far;
   for (const uint32_t i : candidates)
-    if (scene.owner[i] == 0 && !lies_in(near, place(scene, axes, i))) far.push_back(i);
+    if (scene.owner[i] == 0 && !near.contains(place(scene, axes, i))) far.push_back(i);
   return far;
 }
 

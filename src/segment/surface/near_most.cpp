@@ -33,10 +33,4 @@ Box3 box_near_most(std::span<const Vec3> points) {
   return box;
 }
 
-bool lies_in(const Box3& box, const Vec3& point) {
-  for (int k = 0; k < 3; ++k)
-    if (point[k] < box.min[k] || point[k] > box.max[k]) return false;
-  return true;
-}
-
 }  // namespace jalon

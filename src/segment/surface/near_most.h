@@ -12,7 +12,4 @@ namespace jalon {
 /// distance of quartiles. Stray points, and places far from where three quarters are, lie outside. points: not empty.
 Box3 box_near_most(std::span<const Vec3> points);
 
-/// Whether the point lies in the box, its faces among it.
-bool lies_in(const Box3& box, const Vec3& point);
-
 }  // namespace jalon

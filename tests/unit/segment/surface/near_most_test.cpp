@@ -26,10 +26,10 @@ TEST_CASE("near_most__holds_all_of_an_evenly_filled_box_and_of_points_on_one_pla
   std::vector<Vec3> points = box_of(1000, {}, 1);
   for (Vec3& p : points) p.z = p.x > 4 ? 1 : p.z;
   const Box3 box = box_near_most(points);
-  for (const Vec3& p : points) CHECK(lies_in(box, p));
+  for (const Vec3& p : points) CHECK(box.contains(p));
   for (Vec3& p : points) p.y = 3;
   const Box3 flat = box_near_most(points);
-  for (const Vec3& p : points) CHECK(lies_in(flat, p));
+  for (const Vec3& p : points) CHECK(flat.contains(p));
 }
 
 TEST_CASE("near_most__leaves_out_stray_points_and_a_smaller_heap_far_off") {
@@ -38,5 +38,5 @@ TEST_CASE("near_most__leaves_out_stray_points_and_a_smaller_heap_far_off") {
   points.push_back({0, -5000, 0});
   points.push_back({4, 2, 90});
   const Box3 box = box_near_most(points);
-  for (size_t i = 0; i < points.size(); ++i) CHECK(lies_in(box, points[i]) == (i < 1000));
+  for (size_t i = 0; i < points.size(); ++i) CHECK(box.contains(points[i]) == (i < 1000));
 }
