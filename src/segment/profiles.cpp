@@ -83,17 +83,15 @@ SliceRule slice_rule(const ProfileSettings& settings, double spacing_m) {
 
 // A set of lines as a surface that reaches from slice to slice; without points when it is no plane.
 Surface surface_of(const SegmentScene& scene, std::span<const ProfileLine> lines,
-                   const std::vector<uint32_t>& set, double step_m, Task& task) {
+                   const ProfileSet& set, double step_m, Task& task) {
   Surface surface;
-  Moments moments = lines[set[0]].moments;
-  for (size_t i = 0; i < set.size(); ++i) {
-    if (i > 0) moments += lines[set[i]].moments;
-    const auto& own = lines[set[i]].positions;
+  for (const uint32_t line : set.lines) {
+    const auto& own = lines[line].positions;
     surface.positions.insert(surface.positions.end(), own.begin(), own.end());
   }
   std::sort(surface.positions.begin(), surface.positions.end());
   PlaneFit fit;
-  if (surface.positions.size() < 3 || !fit_plane(moments, fit) ||
+  if (surface.positions.size() < 3 || !fit_plane(set.moments, fit) ||
       !wide_enough(scene.settings, fit) || too_rough(scene.settings, fit.sigma)) {
     surface.positions = {};
     return surface;

@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <set>
+#include <utility>
 
 #include "base/parallel.h"
 #include "segment/surface/connectivity.h"
-#include "spatial/union_find.h"
 
 namespace jalon {
 
@@ -18,6 +20,7 @@ constexpr double kSteepestOffset =
     1.19;                              // tangent of 50 degrees: flatter planes are for other axes
 constexpr double kLeastOverlap = 0.5;  // of the shorter line
 constexpr double kRectangleResidual = 0.5;  // rms of its points, in tolerances (as of seeds)
+constexpr double kRectangleRefit = 1.1;     // growth after which the plane is solved anew
 constexpr uint32_t kNoLine = 0xffffffffu;
 constexpr uint32_t kLinesPerBlock = 16;  // of a few chains, and so near to one another
 // Far above the rounding of a coordinate, far below any tolerance.
@@ -115,10 +118,84 @@ class Neighbours {
   std::vector<LineBlock> blocks_;
 };
 
-bool agree(const ProfileRectangle& a, const ProfileRectangle& b, const RectangleRule& rule) {
-  return std::fabs(dot(a.fit.plane.normal, b.fit.plane.normal)) >= std::cos(rule.angle_rad) &&
-         std::fabs(a.fit.plane.distance(b.fit.centroid)) <= rule.tolerance_m &&
-         std::fabs(b.fit.plane.distance(a.fit.centroid)) <= rule.tolerance_m;
+// Rectangles of one plane after the other.
+class RectangleGrowth {
+ public:
+  RectangleGrowth(std::span<const ProfileLine> lines, std::span<const ProfileRectangle> rectangles,
+                  const RectangleRule& rule)
+      : lines_(lines),
+        rectangles_(rectangles),
+        rule_(rule),
+        cosine_(std::cos(rule.angle_rad)),
+        at_line_(lines.size()),
+        taken_(rectangles.size(), 0),
+        last_set_(lines.size(), 0) {
+    for (uint32_t r = 0; r < rectangles.size(); ++r) {
+      at_line_[rectangles[r].low].push_back(r);
+      at_line_[rectangles[r].high].push_back(r);
+    }
+  }
+
+  // The set that grows from the rectangle; empty where another has it.
+  ProfileSet from(uint32_t seed) {
+    ProfileSet set;
+    if (taken_[seed] != 0) return set;
+    ++sets_;
+    plane_ = rectangles_[seed].fit.plane;
+    fitted_ = 0;
+    members_.clear();
+    take(seed, set);
+    for (size_t at = 0; at < members_.size(); ++at)
+      for (const uint32_t line : {rectangles_[members_[at]].low, rectangles_[members_[at]].high})
+        for (const uint32_t r : at_line_[line])
+          if (taken_[r] == 0 && fits(rectangles_[r])) take(r, set);
+    std::ranges::sort(set.lines);
+    return set;
+  }
+
+ private:
+  void take(uint32_t r, ProfileSet& set) {
+    taken_[r] = 1;
+    members_.push_back(r);
+    for (const uint32_t line : {rectangles_[r].low, rectangles_[r].high}) {
+      if (std::exchange(last_set_[line], sets_) == sets_) continue;
+      set.lines.push_back(line);
+      const Moments& own = lines_[line].moments;
+      if (rms_about(own, plane_) > kRectangleResidual * rule_.tolerance_m) continue;
+      if (set.moments.n == 0) set.moments = own;
+      else set.moments += own;
+    }
+    if (static_cast<double>(set.moments.n) < kRectangleRefit * static_cast<double>(fitted_)) return;
+    fitted_ = set.moments.n;
+    PlaneFit fit;
+    if (fit_plane(set.moments, fit)) plane_ = fit.plane;
+  }
+
+  bool fits(const ProfileRectangle& r) const {
+    return std::fabs(dot(r.fit.plane.normal, plane_.normal)) >= cosine_ &&
+           rms_about(lines_[r.low].moments, plane_) <= rule_.tolerance_m &&
+           rms_about(lines_[r.high].moments, plane_) <= rule_.tolerance_m;
+  }
+
+  std::span<const ProfileLine> lines_;
+  std::span<const ProfileRectangle> rectangles_;
+  const RectangleRule& rule_;
+  double cosine_;
+  std::vector<std::vector<uint32_t>> at_line_;
+  std::vector<uint8_t> taken_;
+  std::vector<uint32_t> last_set_;  ///< that the line came to; rectangles of two may share it
+  uint32_t sets_ = 0;
+  std::vector<uint32_t> members_;  ///< rectangles of the set that grows
+  Plane plane_;
+  uint64_t fitted_ = 0;  ///< points of that plane
+};
+
+// The largest first: their planes are the surest.
+std::vector<uint32_t> by_points(std::span<const ProfileRectangle> rectangles) {
+  std::vector<uint32_t> order(rectangles.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::ranges::stable_sort(order, std::greater{}, [&](uint32_t r) { return rectangles[r].fit.n; });
+  return order;
 }
 
 }  // namespace
@@ -153,35 +230,18 @@ std::vector<ProfileRectangle> match_lines(std::span<const ProfileLine> lines,
   return rectangles;
 }
 
-std::vector<std::vector<uint32_t>> join_rectangles(std::span<const ProfileLine> lines,
-                                                   std::span<const ProfileRectangle> rectangles,
-                                                   const RectangleRule& rule) {
-  std::vector<std::vector<uint32_t>> at_line(lines.size());
-  for (uint32_t r = 0; r < rectangles.size(); ++r) {
-    at_line[rectangles[r].low].push_back(r);
-    at_line[rectangles[r].high].push_back(r);
+std::vector<ProfileSet> join_rectangles(std::span<const ProfileLine> lines,
+                                        std::span<const ProfileRectangle> rectangles,
+                                        const RectangleRule& rule) {
+  RectangleGrowth growth(lines, rectangles, rule);
+  std::vector<ProfileSet> sets;
+  for (const uint32_t seed : by_points(rectangles)) {
+    ProfileSet set = growth.from(seed);
+    if (!set.lines.empty() && lines[set.lines.back()].slice >= lines[set.lines.front()].slice + 2)
+      sets.push_back(std::move(set));
   }
-  UnionFind sets(rectangles.size());
-  for (const auto& around : at_line)
-    for (size_t i = 0; i < around.size(); ++i)
-      for (size_t j = i + 1; j < around.size(); ++j)
-        if (agree(rectangles[around[i]], rectangles[around[j]], rule))
-          sets.join(around[i], around[j]);
-  std::vector<std::vector<uint32_t>> lines_of(rectangles.size());
-  for (uint32_t r = 0; r < rectangles.size(); ++r) {
-    const uint32_t root = sets.find(r);
-    lines_of[root].push_back(rectangles[r].low);
-    lines_of[root].push_back(rectangles[r].high);
-  }
-  std::vector<std::vector<uint32_t>> planes;
-  for (uint32_t r = 0; r < rectangles.size(); ++r) {
-    if (lines_of[r].empty()) continue;
-    std::sort(lines_of[r].begin(), lines_of[r].end());
-    if (lines[lines_of[r].back()].slice < lines[lines_of[r].front()].slice + 2) continue;
-    lines_of[r].erase(std::unique(lines_of[r].begin(), lines_of[r].end()), lines_of[r].end());
-    planes.push_back(std::move(lines_of[r]));
-  }
-  return planes;
+  std::ranges::stable_sort(sets, {}, [](const ProfileSet& set) { return set.lines.front(); });
+  return sets;
 }
 
 }  // namespace jalon

@@ -20,9 +20,10 @@ struct ProfileRectangle {
 
 /// What makes lines a rectangle and rectangles a plane.
 struct RectangleRule {
-  double step_m = 0;       ///< between slices
-  double angle_rad = 0;    ///< between two lines, and between the planes of two rectangles
-  double tolerance_m = 0;  ///< of a rectangle's middle from the other's plane
+  double step_m = 0;     ///< between slices
+  double angle_rad = 0;  ///< between two lines, and between a rectangle and its set's plane
+  double tolerance_m =
+      0;  ///< twice the rms of a line's points from its rectangle, and from its set's plane
 };
 
 /// Each line with the one of the next slice that runs beside it at the least distance, and the other way round: the
@@ -31,10 +32,17 @@ struct RectangleRule {
 std::vector<ProfileRectangle> match_lines(std::span<const ProfileLine> lines,
                                           const RectangleRule& rule, Task& task);
 
-/// Rectangles that share a line and agree, in sets that show in three slices: for each set the places of its lines,
-/// ascending. What lies between two slices only is a detail, or chance: from a wall to the windows set back in it.
-std::vector<std::vector<uint32_t>> join_rectangles(std::span<const ProfileLine> lines,
-                                                   std::span<const ProfileRectangle> rectangles,
-                                                   const RectangleRule& rule);
+/// Lines of one plane.
+struct ProfileSet {
+  std::vector<uint32_t> lines;  ///< places, ascending
+  Moments moments;              ///< of those that lie well in it: the others lead on to more of it
+};
+
+/// Sets of rectangles that share lines and lie in one plane, grown from the largest with running moments, where they
+/// show in three slices. What lies between two slices only is a detail, or chance: from a wall to the windows set back
+/// in it, over which no chain of rectangles may lead from plane to plane.
+std::vector<ProfileSet> join_rectangles(std::span<const ProfileLine> lines,
+                                        std::span<const ProfileRectangle> rectangles,
+                                        const RectangleRule& rule);
 
 }  // namespace jalon

@@ -20,6 +20,8 @@ constexpr size_t kSlicePointsPerLook = 1 << 15;  // all over the cloud, some 100
 constexpr size_t kLeastLineNodes = 3;            // two points are always on one line
 constexpr size_t kMostSlices = 1 << 20;
 constexpr uint32_t kBetweenSlices = 0xffffffffu;
+// Cosine between a normal and the axis of slices beyond which a surface, within 30 degrees of them, is none of theirs.
+constexpr double kMostAlongAxis = 0.8660254037844386;
 
 struct SliceAxes {
   Vec3 u, v;
@@ -36,7 +38,19 @@ struct SliceNumbers {
       return kBetweenSlices;
     return static_cast<uint32_t>(slice);
   }
+  double middle_m(uint32_t slice) const { return low + (slice + 0.5) * step_m; }
 };
+
+// Where the surface about a point meets the plane of a slice: a slice has a thickness, and what it cuts at an angle
+// would be a band in it and no line. Along the axis where no normal tells the surface, or it is the slice's own.
+Vec3 in_slice(const SegmentScene& scene, uint32_t position, const Vec3& axis, double middle_m) {
+  const Vec3 p = scene.local(position);
+  const float* n = &scene.normals[3 * size_t{position}];
+  const double off = dot(p, axis) - middle_m, along = n[0] * axis.x + n[1] * axis.y + n[2] * axis.z;
+  if (!(std::fabs(along) < kMostAlongAxis)) return p - off * axis;
+  const Vec3 in_surface = axis - along * Vec3{n[0], n[1], n[2]};
+  return p - off / (1 - along * along) * in_surface;
+}
 
 struct AxisRange {
   double low = INFINITY, high = -INFINITY;
@@ -130,11 +144,12 @@ class SliceLines {
     reference_ = {half, half, half};
   }
 
-  std::vector<ProfileLine> of(uint32_t slice, std::span<const uint32_t> positions) const {
+  std::vector<ProfileLine> of(uint32_t slice, double middle_m,
+                              std::span<const uint32_t> positions) const {
     std::vector<Vec2> flat;
     serial_for(task_, positions.size(), kSlicePointsPerLook, [&](size_t begin, size_t end) {
       for (const uint32_t position : positions.subspan(begin, end - begin)) {
-        const Vec3 p = scene_.local(position);
+        const Vec3 p = in_slice(scene_, position, rule_.axis, middle_m);
         flat.push_back({dot(p, axes_.u), dot(p, axes_.v)});
       }
     });
@@ -193,7 +208,8 @@ std::vector<ProfileLine> profile_lines(const SegmentScene& scene, const SliceRul
   parallel_for(task, numbers.count, 1, [&](size_t k, size_t) {
     const std::span<const uint32_t> own(sliced.positions.data() + sliced.first[k],
                                         sliced.first[k + 1] - sliced.first[k]);
-    parts[k] = lines_of.of(static_cast<uint32_t>(k), own);
+    const auto slice = static_cast<uint32_t>(k);
+    parts[k] = lines_of.of(slice, numbers.middle_m(slice), own);
   });
   std::vector<ProfileLine> lines;
   for (auto& part : parts)

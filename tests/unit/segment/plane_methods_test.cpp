@@ -73,6 +73,30 @@ TEST_CASE("plane_methods__split_the_ramp_with_5_mm_of_noise") {
   }
 }
 
+// Twice as dense: a plane of profiles must show in three slices, and the ramp's 3 m are hardly three of its own.
+TEST_CASE("plane_methods__split_the_ramp_however_it_is_turned") {
+  for (const char* method : kPlaneMethods) {
+    CAPTURE(method);
+    RandomStream random(33, 0);
+    for (int k = 0; k < 12; ++k) {
+      const double yaw = 2 * std::numbers::pi * random.uniform();
+      const double tilt = k % 2 == 0 ? 0 : std::numbers::pi * random.uniform();
+      CAPTURE(yaw);
+      CAPTURE(tilt);
+      Scene scene = ramp(0.005, 100 + static_cast<uint64_t>(k), 2);
+      for (Vec3& p : scene.points) {
+        const Vec3 t{std::cos(tilt) * p.x + std::sin(tilt) * p.z, p.y,
+                     std::cos(tilt) * p.z - std::sin(tilt) * p.x};
+        p = {std::cos(yaw) * t.x - std::sin(yaw) * t.y, std::sin(yaw) * t.x + std::cos(yaw) * t.y,
+             t.z};
+      }
+      const Segmentation s = segment_by(method, cloud_of(scene.points));
+      REQUIRE(s.segments.size() == 3);
+      for (int face = 1; face <= 3; ++face) CHECK(best_match(scene, s, face).share >= 0.95);
+    }
+  }
+}
+
 TEST_CASE("plane_methods__give_the_same_bits_with_1_2_and_7_threads") {
   const CloudPtr cloud = cloud_of(facade_scene(400, 3).points);
   for (const char* method : kPlaneMethods) {

@@ -13,16 +13,17 @@
 // Two levels and the ramp between them: the test object of the comparison of 2006.
 namespace jalon::test {
 
-/// On a grid of 0.2 m; faces 1, 2 and 3, 0 on a break line.
-inline Scene ramp(double noise_m, uint64_t seed) {
+/// On a grid of 0.2 m, or so many times as dense; faces 1, 2 and 3, 0 on a break line.
+inline Scene ramp(double noise_m, uint64_t seed, int denser = 1) {
   Scene scene;
   RandomStream random(seed, 4);
-  for (int i = 0; i <= 50; ++i)
-    for (int k = 0; k <= 15; ++k) {
-      const double x = 0.2 * i;
-      const Vec3 p{x, 0.2 * k, std::clamp(x - 4, 0.0, 2.0)};
+  for (int i = 0; i <= 50 * denser; ++i)
+    for (int k = 0; k <= 15 * denser; ++k) {
+      const double x = 0.2 * i / denser;
+      const Vec3 p{x, 0.2 * k / denser, std::clamp(x - 4, 0.0, 2.0)};
       scene.points.push_back(p + noise_m * Vec3{random.normal(), random.normal(), random.normal()});
-      scene.faces.push_back(i < 20 ? 1 : i == 20 || i == 30 ? 0 : i < 30 ? 2 : 3);
+      const int low = 20 * denser, high = 30 * denser;
+      scene.faces.push_back(i < low ? 1 : i == low || i == high ? 0 : i < high ? 2 : 3);
     }
   return scene;
 }

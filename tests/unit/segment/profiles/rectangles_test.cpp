@@ -35,8 +35,8 @@ TEST_CASE("rectangles__of_a_wall_with_a_set_back_upper_part_are_two_planes") {
   CHECK(rectangles.size() == 7);  // one of them joins the two parts
   const auto planes = join_rectangles(lines, rectangles, kRule);
   REQUIRE(planes.size() == 2);
-  CHECK(planes[0] == std::vector<uint32_t>{0, 1, 2, 3});
-  CHECK(planes[1] == std::vector<uint32_t>{4, 5, 6, 7});
+  CHECK(planes[0].lines == std::vector<uint32_t>{0, 1, 2, 3});
+  CHECK(planes[1].lines == std::vector<uint32_t>{4, 5, 6, 7});
 }
 
 TEST_CASE("rectangles__of_a_wall_beside_windows_take_the_nearest_line") {
@@ -49,8 +49,33 @@ TEST_CASE("rectangles__of_a_wall_beside_windows_take_the_nearest_line") {
   Task task;
   const auto planes = join_rectangles(lines, match_lines(lines, kRule, task), kRule);
   REQUIRE(planes.size() == 4);
-  CHECK(planes[0].size() == 10);  // the wall, whole below and in three columns
-  for (size_t k = 1; k < 4; ++k) CHECK(planes[k].size() == 3);
+  CHECK(planes[0].lines.size() == 10);  // the wall, whole below and in three columns
+  for (size_t k = 1; k < 4; ++k) CHECK(planes[k].lines.size() == 3);
+}
+
+// A wall and a surround 6 cm before it, and lines that were cut where both lie in a slice: one slope after the other
+// leads from plane to plane, each within the angle of the last.
+TEST_CASE("rectangles__lead_over_no_chain_of_slopes_from_plane_to_plane") {
+  std::vector<ProfileLine> lines;
+  const double depths[] = {0, 0, 0, 0.01, 0.03, 0.05, 0.06, 0.06, 0.06};
+  for (uint32_t k = 0; k < 9; ++k) {
+    lines.push_back(line_of(k, 0, 4, 0));
+    lines.push_back(line_of(k, 4.1, 5, depths[k]));
+  }
+  Task task;
+  const auto sets = join_rectangles(lines, match_lines(lines, kRule, task), kRule);
+  for (const ProfileSet& set : sets) {
+    PlaneFit fit;
+    REQUIRE(fit_plane(set.moments, fit));
+    CHECK(fit.sigma < 0.5 * kRule.tolerance_m);
+    double low = INFINITY, high = -INFINITY;
+    for (const uint32_t line : set.lines) {
+      low = std::min(low, lines[line].from.v);
+      high = std::max(high, lines[line].from.v);
+    }
+    CHECK(high - low < 0.05);
+  }
+  CHECK(std::ranges::count_if(sets, [](const ProfileSet& s) { return s.lines.size() >= 9; }) == 1);
 }
 
 TEST_CASE("rectangles__need_neighbouring_slices_one_direction_and_overlap") {

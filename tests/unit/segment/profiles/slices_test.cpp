@@ -33,3 +33,23 @@ TEST_CASE("slices__of_a_corner_are_two_lines_each") {
   CHECK(length == doctest::Approx(7.0 * static_cast<double>(slices.size())).epsilon(0.06).scale(0));
   for (size_t i = 0; i + 1 < lines.size(); ++i) CHECK(lines[i].slice <= lines[i + 1].slice);
 }
+
+TEST_CASE("slices__through_planes_at_an_angle_are_lines_though_slices_are_thick") {
+  Scene scene;
+  RandomStream random(3, 0);
+  // Leaning by 45 degrees: it rises by the slice's 0.25 m within each slice.
+  scene.rectangle(1, {0, 0, 0}, {4, 0, 0}, {0, 2, 2}, 8000, 0.002, random);
+  MadeScene made(scene.points);
+  const SliceRule rule{{0, 0, 1}, 0.25, 0.25, 0.05, 0.2, 0.025};
+  const auto lines = profile_lines(made.scene, rule, made.task);
+  REQUIRE(!lines.empty());
+  double length = 0, slope = 0;
+  for (const ProfileLine& line : lines) {
+    const Vec2 d = line.to - line.from;
+    length += std::hypot(d.u, d.v);
+    slope = std::max(slope, std::fabs(d.v / d.u));
+  }
+  const double slices = lines.back().slice + 1.0;
+  CHECK(length == doctest::Approx(4 * slices).epsilon(0.06).scale(0));
+  CHECK(slope < 0.05);
+}
