@@ -148,7 +148,8 @@ struct Segment {
     const Json result{{"input", input.path},
                       {"points", count_of(cloud)},
                       {"output", output},
-                      {"methods", MethodComparison::json(rows)}};
+                      {"methods", MethodComparison::json(rows)},
+                      {"advice", MethodComparison::advice(rows)}};
     write_text_file(folder.path("methods.csv"), MethodComparison::csv(rows));
     write_text_file(folder.path("methods.json"),
                     result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
@@ -157,6 +158,7 @@ struct Segment {
         MethodComparison::page(std::filesystem::path(input.path).filename().string(), rows));
     folder.commit();
     for (const std::string& line : MethodComparison::lines(rows)) console.say(line);
+    console.say(MethodComparison::advice(rows));
     if (!note.empty()) console.say(note);
     console.say("wrote " + output + ": methods.html, methods.csv, methods.json, pictures");
     console.result(result);

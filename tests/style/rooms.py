@@ -55,7 +55,7 @@ SUBROOMS = {
         "pictures": ["elevation"], "viewer": ["sheet"], "pages": ["pictures", "charts", "viewer"],
     },
     "capi": {"support": [], "sections": ["support"]},
-    "cli": {"inputs": [], "outputs": [], "system": [], "comparing": ["outputs"]},
+    "cli": {"inputs": [], "outputs": ["system"], "system": [], "comparing": ["outputs"]},
 }
 MOST_FILES = 45  # of one folder: above, a room wants sub-rooms
 CODE = (".c", ".cpp", ".h", ".inc")
