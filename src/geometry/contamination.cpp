@@ -125,9 +125,10 @@ double lost_by_truncation(double tolerance_m, double sigma_m) {
 
 ContaminationTable::ContaminationTable(double tolerance_m, double sigma_m)
     : tolerance_m_(tolerance_m) {
-  const double intervals = 2 * std::ceil(kNodesPerSigma * tolerance_m / sigma_m);
-  per_m_ = intervals / (2 * tolerance_m);
-  weights_.resize(static_cast<size_t>(intervals) + 1);
+  intervals_ = 2 * std::ceil(kNodesPerSigma * tolerance_m / sigma_m);
+  last_interval_ = static_cast<int32_t>(intervals_) - 1;
+  per_m_ = intervals_ / (2 * tolerance_m);
+  weights_.resize(static_cast<size_t>(intervals_) + 1);
 }
 
 ContaminationTable::ContaminationTable(const Contamination& c, With with)

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -87,14 +88,14 @@ class ContaminationTable {
     double after;  ///< share of the way to the next
   };
   Place place(double r) const {
-    const double last = static_cast<double>(weights_.size() - 1);
-    const double x = std::clamp((r + tolerance_m_) * per_m_, 0.0, last);
-    const size_t node = std::min(static_cast<size_t>(x), weights_.size() - 2);
-    return {node, x - static_cast<double>(node)};
+    const double x = std::min(std::max(0.0, (r + tolerance_m_) * per_m_), intervals_);
+    const int32_t node = std::min(static_cast<int32_t>(x), last_interval_);
+    return {static_cast<size_t>(node), x - node};
   }
   /// Empty, with room for the nodes.
   ContaminationTable(double tolerance_m, double sigma_m);
-  double tolerance_m_, per_m_;
+  double tolerance_m_, per_m_, intervals_;
+  int32_t last_interval_;  ///< signed and short: numbers that processors turn into doubles at once
   std::vector<Weights> weights_;
   std::vector<double> log_densities_;
   std::vector<Derivatives> derivatives_;

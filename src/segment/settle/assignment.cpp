@@ -7,7 +7,6 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "segment/ransac/curved_hypotheses.h"
 #include "segment/settle/each_surface.h"
 #include "segment/settle/positions.h"
 
@@ -16,50 +15,13 @@ namespace jalon {
 namespace {
 
 constexpr size_t kAssignmentPointsPerChunk = 1 << 14;
-constexpr size_t kPointsPerBlock = 64;
 // Of the octree's cube: far above the rounding of a distance, far below any tolerance.
 constexpr double kReachSlack = 1e-12;
 constexpr double kLeastSigma =
     0.04;  // of the tolerance: noise-free planes do not pull points from noisy ones
 constexpr double kLeastArea_m2 = 1e-6;
 
-}  // namespace
-
-struct Assignment::Patch {
-  Plane plane;
-  Curved curved;  ///< instead of the plane, where it exists
-  double core_m = 0;
-  double weight = 0;    ///< 1 / sigma^2
-  double evidence = 0;  ///< 2 ln(sigma / density)
-  FlatFrame frame;
-  SurfaceMap map;  ///< instead of the frame, for a curved surface
-  Raster mask;     ///< the surface's pixels and their neighbours; empty without connectivity
-  Box3 box;
-
-  bool reaches(const Vec3& p) const {
-    if (mask.size() == 0) return true;
-    return mask.holds(curved.exists() ? map(p) : frame(p));
-  }
-  double distance(const Vec3& p) const {
-    return curved.exists() ? curved.distance(p) : plane.distance(p);
-  }
-  bool inconsistent(const SegmentScene& scene, size_t position, double min_cosine) const {
-    return curved.exists() ? curved_inconsistent(scene, curved, position)
-                           : scene.inconsistent(position, plane.normal, min_cosine);
-  }
-  /// What may_reach() asks for.
-  Patch outline() const {
-    Patch out;
-    out.plane = plane;
-    out.curved = curved;
-    out.box = box;
-    return out;
-  }
-};
-
-namespace {
-
-using Patch = Assignment::Patch;
+using Patch = SurfacePatch;
 
 // The surface's pixels, and the box of its points.
 Raster image_of(const SegmentScene& scene, const Surface& surface, Patch& patch, Task& task) {
@@ -132,29 +94,6 @@ Box3 box_of(const SegmentScene& scene, size_t begin, size_t end) {
   return box;
 }
 
-// Owner of one point among the patches near its block; 0 = none. The cost is -2 ln of the likelihood of the mixture
-// of surfaces, density / sigma exp(-d^2 / (2 sigma^2)): where a thin cloud of clutter cuts a wall, the points there
-// are the wall's. Within the core of a plane the normal has no say: it is that of a cell, and at an edge of two
-// surfaces the cell holds both, so that a column of the wall beside a reveal would become the reveal's.
-uint32_t choose(const SegmentScene& scene, const std::vector<Patch>& patches,
-                std::span<const uint32_t> near, size_t position, double min_cosine) {
-  const Vec3 p = scene.local(position);
-  uint32_t best = 0;
-  double best_cost = INFINITY;
-  for (const uint32_t k : near) {
-    const Patch& patch = patches[k];
-    const double distance = std::fabs(patch.distance(p));
-    if (distance > scene.settings.distance_tolerance_m) continue;
-    if (distance > patch.core_m && patch.inconsistent(scene, position, min_cosine)) continue;
-    const double cost = distance * distance * patch.weight + patch.evidence;
-    if (cost < best_cost && patch.reaches(p)) {
-      best = k + 1;
-      best_cost = cost;
-    }
-  }
-  return best;
-}
-
 using Moved = std::vector<std::atomic<size_t>>;  // points that came or went, by owner
 
 struct Round {
@@ -184,11 +123,32 @@ void near_box(const Box3& box, const std::vector<Patch>& patches, double reach_m
     if (may_reach(box, patches[k], reach_m)) near.push_back(k);
 }
 
+// Points of a run of blocks that came or went, put together at its end: all threads count the same few owners.
+class MovedHere {
+ public:
+  explicit MovedHere(Moved& moved) : moved_(moved), counts_(moved.size(), 0) {}
+  ~MovedHere() {
+    for (size_t k = 0; k < counts_.size(); ++k)
+      if (counts_[k] != 0) moved_[k].fetch_add(counts_[k], std::memory_order_relaxed);
+  }
+  MovedHere(const MovedHere&) = delete;
+  MovedHere& operator=(const MovedHere&) = delete;
+  void count(uint32_t before, uint32_t now) {
+    ++counts_[before];
+    ++counts_[now];
+  }
+
+ private:
+  Moved& moved_;
+  std::vector<size_t> counts_;
+};
+
 // A run of blocks: each is left as it is where no patch that changed may reach it.
 void share_out(const Round& round, size_t begin, size_t end, Moved& moved,
                std::vector<MovedPoint>& moves) {
   SegmentScene& scene = round.scene;
-  const double reach_m = round.reach_m(), min_cosine = scene.min_cosine();
+  const double reach_m = round.reach_m();
+  MovedHere moved_here(moved);
   Box3 chunk;
   for (size_t b = begin / kPointsPerBlock; b * kPointsPerBlock < end; ++b) chunk += round.boxes[b];
   const auto changed_here = near_box(chunk, round.changed, reach_m);
@@ -206,13 +166,14 @@ void share_out(const Round& round, size_t begin, size_t end, Moved& moved,
       continue;
     }
     near_box(box, round.patches, reach_m, here, near);
+    uint32_t owners[kPointsPerBlock];
+    choose_owners(scene, round.patches, near, {first, last, box}, owners);
     for (size_t i = first; i < last; ++i) {
       const uint32_t before = round.is_first ? 0 : round.now[scene.owner[i]];
-      const uint32_t own = choose(scene, round.patches, near, i, min_cosine);
+      const uint32_t own = owners[i - first];
       scene.owner[i] = own;
       if (own == before) continue;
-      moved[own].fetch_add(1, std::memory_order_relaxed);
-      moved[before].fetch_add(1, std::memory_order_relaxed);
+      moved_here.count(before, own);
       if (!round.is_first) moves.push_back({static_cast<uint32_t>(i), before, own});
     }
   }
@@ -226,9 +187,6 @@ bool own_their_points(const std::vector<Surface>& surfaces) {
 }
 
 }  // namespace
-
-Assignment::Assignment() = default;
-Assignment::~Assignment() = default;
 
 // The patches of the surfaces that are what they were stand; the others are made anew. Those that are gone or new are
 // where points may change hands.

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "segment/ransac/extraction.h"
+#include "segment/settle/surface_patch.h"
 
 namespace jalon {
 
@@ -17,20 +18,17 @@ void assign_points(SegmentScene& scene, std::vector<Surface>& surfaces, Task& ta
 /// that a surface may reach which is not what it was, the others stay as they are.
 class Assignment {
  public:
-  struct Patch;
-  Assignment();
-  ~Assignment();
   void next_round(SegmentScene& scene, std::vector<Surface>& surfaces, Task& task);
 
  private:
   /// Owners of the last round as owners of this one, 0 for those that are gone.
   std::vector<uint32_t> renew_patches(const SegmentScene& scene,
                                       const std::vector<Surface>& surfaces,
-                                      std::vector<Patch>& changed, Task& task);
+                                      std::vector<SurfacePatch>& changed, Task& task);
   void box_blocks(const SegmentScene& scene, Task& task);
 
-  std::vector<Patch> patches_;  ///< by owner
-  std::vector<Box3> boxes_;     ///< of short runs of points
+  std::vector<SurfacePatch> patches_;  ///< by owner
+  std::vector<Box3> boxes_;            ///< of short runs of points
 };
 
 }  // namespace jalon

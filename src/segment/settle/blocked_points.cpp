@@ -16,18 +16,6 @@ constexpr size_t kBlocksPerGroup = 64, kBlocksPerChunk = 256;
 // Of the octree's cube: far above the rounding of a projection, far below a pixel.
 constexpr double kShadowSlack = 1e-12;
 
-/// The projection of a box, no smaller than that of any point in it.
-FlatBox shadow_of(const Box3& box, const FlatFrame& frame, double slack_m) {
-  const Vec3 half = 0.5 * (box.max - box.min);
-  const Vec2 middle = frame(box.min + half);
-  const auto reach = [&](const Vec3& axis) {
-    return std::fabs(axis.x) * half.x + std::fabs(axis.y) * half.y + std::fabs(axis.z) * half.z +
-           slack_m;
-  };
-  const Vec2 wide{reach(frame.u), reach(frame.v)};
-  return {{middle.u - wide.u, middle.v - wide.v}, {middle.u + wide.u, middle.v + wide.v}};
-}
-
 bool holds(const FlatBox& outer, const FlatBox& inner) {
   return outer.low.u <= inner.low.u && outer.low.v <= inner.low.v && outer.high.u >= inner.high.u &&
          outer.high.v >= inner.high.v;
@@ -147,6 +135,21 @@ class ImageWindow {
 
 }  // namespace
 
+FlatBox shadow_of(const Box3& box, const FlatFrame& frame, double slack_m) {
+  const Vec3 half = 0.5 * (box.max - box.min);
+  const Vec2 middle = frame(box.min + half);
+  const auto reach = [&](const Vec3& axis) {
+    return std::fabs(axis.x) * half.x + std::fabs(axis.y) * half.y + std::fabs(axis.z) * half.z +
+           slack_m;
+  };
+  const Vec2 wide{reach(frame.u), reach(frame.v)};
+  return {{middle.u - wide.u, middle.v - wide.v}, {middle.u + wide.u, middle.v + wide.v}};
+}
+
+double projection_slack_m(const SegmentScene& scene) {
+  return kShadowSlack * scene.tree->cube().edge;
+}
+
 BlockedPoints::BlockedPoints(const SegmentScene& scene, std::span<const uint32_t> positions,
                              Task& task)
     : blocks_((positions.size() + kRun - 1) / kRun), size_(positions.size()) {
@@ -177,7 +180,7 @@ void BlockedPoints::take(BlockedPoints&& other) {
 
 bool lie_over(const SegmentScene& scene, const BlockedPoints& points, size_t least,
               const BlockedPoints& image, const FlatFrame& frame, double pixel_m, uint32_t reach) {
-  const double slack_m = kShadowSlack * scene.tree->cube().edge;
+  const double slack_m = projection_slack_m(scene);
   const FlatBox extent = extent_of(scene, image, frame, slack_m);
   pixel_m = bounded_pixel(extent, pixel_m, reach);
   const ImageAxis u(extent.low.u, extent.high.u, pixel_m, reach),

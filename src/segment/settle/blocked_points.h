@@ -10,6 +10,10 @@
 
 namespace jalon {
 
+/// The projection of a box, no smaller than that of any point in it where slack_m is projection_slack_m().
+FlatBox shadow_of(const Box3& box, const FlatFrame& frame, double slack_m);
+double projection_slack_m(const SegmentScene& scene);
+
 /// The points of a surface in short runs of neighbours, each with its box: what is far from another surface, most of a
 /// large one, is passed over run by run. Positions stay where they are and must outlive it.
 class BlockedPoints {

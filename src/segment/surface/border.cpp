@@ -3,6 +3,7 @@
 #include "segment/surface/border.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/parallel.h"
@@ -17,18 +18,34 @@ constexpr unsigned kEmptySideBySide = 3;
 // Every so many-th of the points around is looked at first: most points lie within a surface, and as many close it.
 constexpr uint32_t kGlance = 5;
 
-unsigned sector_of(double u, double v) {
-  const unsigned steep = std::fabs(v) > std::fabs(u) ? 1 : 0;
-  if (u >= 0) return v >= 0 ? steep : 7 - steep;
-  return v >= 0 ? 3 - steep : 4 + steep;
+// The sector of a direction by what is negative and what is steep, as a bit; whoever looks at many directions cannot
+// foresee these, and a branch for each would be guessed wrong every other time.
+constexpr std::array<uint8_t, 8> kSectorBits = [] {
+  std::array<uint8_t, 8> bits{};
+  for (unsigned steep = 0; steep < 2; ++steep) {
+    const unsigned sectors[] = {steep, 3 - steep, 7 - steep, 4 + steep};
+    for (unsigned signs = 0; signs < 4; ++signs)
+      bits[2 * signs + steep] = static_cast<uint8_t>(1u << sectors[signs]);
+  }
+  return bits;
+}();
+
+unsigned sector_bit(double u, double v) {
+  const auto left = static_cast<unsigned>(u < 0), below = static_cast<unsigned>(v < 0);
+  const auto steep = static_cast<unsigned>(std::fabs(v) > std::fabs(u));
+  return kSectorBits[4 * below + 2 * left + steep];
 }
 
-bool has_open_side(unsigned filled) {
-  const unsigned twice = filled | filled << kBorderSectors;
-  for (unsigned k = 0; k < kBorderSectors; ++k)
-    if ((twice >> k & ((1u << kEmptySideBySide) - 1)) == 0) return true;
-  return false;
-}
+// By filled sectors, a bit each.
+constexpr std::array<bool, 1 << kBorderSectors> kHasOpenSide = [] {
+  std::array<bool, 1 << kBorderSectors> open{};
+  for (unsigned filled = 0; filled < open.size(); ++filled) {
+    const unsigned twice = filled | filled << kBorderSectors;
+    for (unsigned k = 0; k < kBorderSectors; ++k)
+      open[filled] = open[filled] || (twice >> k & ((1u << kEmptySideBySide) - 1)) == 0;
+  }
+  return open;
+}();
 
 /// Points sorted by the cells of a grid.
 class Grid {
@@ -90,18 +107,16 @@ std::vector<uint8_t> border_points(std::span<const Vec2> points, double margin_m
   parallel_for(task, points.size(), kBorderPointsPerChunk, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       unsigned filled = 0;
-      bool open = true;
       const auto look_at = [&](const Vec2& q) {
         const double u = q.u - points[i].u, v = q.v - points[i].v, d2 = u * u + v * v;
-        if (!(d2 > near2 && d2 <= far2)) return false;
-        const unsigned with = filled | 1u << sector_of(u, v);
-        if (with == filled) return false;
-        filled = with;
-        return !(open = has_open_side(filled));
+        const unsigned in_ring =
+            static_cast<unsigned>(d2 > near2) & static_cast<unsigned>(d2 <= far2);
+        filled |= sector_bit(u, v) & (0u - in_ring);
+        return !kHasOpenSide[filled];
       };
       grid.near(points[i], kGlance, look_at);
-      if (open) grid.near(points[i], 1, look_at);
-      out[i] = open;
+      if (kHasOpenSide[filled]) grid.near(points[i], 1, look_at);
+      out[i] = kHasOpenSide[filled];
     }
   });
   return out;
