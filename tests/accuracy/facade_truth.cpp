@@ -5,6 +5,8 @@
 #include <iomanip>
 #include <optional>
 
+#include "area_pieces.h"
+
 namespace jalon::test {
 
 namespace {
@@ -66,6 +68,10 @@ class Cells {
         columns_(static_cast<size_t>(std::ceil((extent.high.u - low_.u) / cell_m))),
         rows_(static_cast<size_t>(std::ceil((extent.high.v - low_.v) / cell_m))) {}
   size_t size() const { return columns_ * rows_; }
+  std::string pieces(const std::string& what, std::span<const uint32_t> of) const {
+    return text_of_pieces(what, of, static_cast<uint32_t>(columns_), static_cast<uint32_t>(rows_),
+                          low_, cell_m_);
+  }
   Vec2 middle(size_t c) const {
     return low_ + Vec2{(static_cast<double>(c % columns_) + 0.5) * cell_m_,
                        (static_cast<double>(c / columns_) + 0.5) * cell_m_};
@@ -134,15 +140,20 @@ void compare_areas(const FoundFacade& found, const FacadeTruth& truth, FacadeFig
     double nearest_m = kDeepWall_m;
     for (const TruthWall& wall : truth.walls)
       nearest_m = std::min(nearest_m, std::fabs(out_of(wall, axes) - face.out_m));
-    double& taken_m2 = nearest_m < kDeepWall_m ? out.invented_m2 : out.elsewhere_m2;
+    const bool is_near = nearest_m < kDeepWall_m;
+    double& taken_m2 = is_near ? out.invented_m2 : out.elsewhere_m2;
+    std::vector<uint32_t> taken;
     for (size_t c = 0; c < cells.size(); ++c) {
       if (own[c] == 0 || filled_ok[c] != 0) continue;
       bool is_wall = false;
       for (size_t w = 0; w < truth.walls.size(); ++w)
         is_wall = is_wall || (wall_cells[w][c] != 0 && std::fabs(out_of(truth.walls[w], axes) -
                                                                  face.out_m) <= kFacadePlane_m);
-      if (!is_wall) taken_m2 += cell_m2;
+      if (is_wall) continue;
+      taken_m2 += cell_m2;
+      taken.push_back(static_cast<uint32_t>(c));
     }
+    out.notes += cells.pieces(is_near ? "wall invented" : "wall elsewhere", taken);
   }
   // 3. The walls where no face of the model is.
   for (size_t w = 0; w < truth.walls.size(); ++w) {
@@ -150,13 +161,17 @@ void compare_areas(const FoundFacade& found, const FacadeTruth& truth, FacadeFig
     for (const FoundFacade::Face& face : found.walls)
       if (std::fabs(out_of(truth.walls[w], axes) - face.out_m) <= kFacadePlane_m)
         cells.mark({face.shape}, has);
+    std::vector<uint32_t> lost;
     for (size_t c = 0; c < cells.size(); ++c) {
       if (wall_cells[w][c] == 0 || filled_ok[c] != 0) continue;
       out.wall_m2 += cell_m2;
       if (truth.walls[w].raster.at(cells.middle(c)) != Sight::kSeen) continue;
       out.wall_seen_m2 += cell_m2;
-      if (has[c] == 0) out.lost_m2 += cell_m2;
+      if (has[c] != 0) continue;
+      out.lost_m2 += cell_m2;
+      lost.push_back(static_cast<uint32_t>(c));
     }
+    out.notes += cells.pieces("wall lost", lost);
   }
 }
 

@@ -4,8 +4,8 @@
 // The whole chain on facades of the grammar, whose walls and openings are known. Figures alone, one table by kind: what
 // they must be is for the chain to reach. Kinds are developed with or kept for the report; so are seeds. Those that no
 // seed draws are reported alone.
-// JALON_GRAMMAR_SEEDS=7-12 accuracy -tc=grammar__seeds_to* takes these seeds alone, with what was missed and invented;
-// JALON_GRAMMAR_BARE=1 takes the stations off, as most files come.
+// JALON_GRAMMAR_SEEDS=7-12 accuracy -tc=grammar__seeds_kept* takes these seeds alone, with the figures of each and what
+// was missed, invented and lost; JALON_GRAMMAR_BARE=1 takes the stations off, as most files come.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -75,7 +75,7 @@ FacadeFigures print_table(Series series, KindOfSeed kind_of = drawn_kind) {
   for (uint64_t i = 0; i < count; ++i) {
     std::string kind;
     FacadeFigures f = figures_of(series.first + i, kind_of, kind);
-    if (asked) MESSAGE("seed " << series.first + i << ", " << kind << f.notes);
+    if (asked) MESSAGE("seed " << series.first + i << ", " << row_of(kind, f) << f.notes);
     f.notes.clear();
     kinds[kind] += f;
     all += f;
