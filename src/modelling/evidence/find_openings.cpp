@@ -165,10 +165,15 @@ bool is_free(const WallCells& cells, const OpeningShape& shape,
   return sum >= kLeastSum && static_cast<double>(taken) <= kMostTaken * static_cast<double>(all);
 }
 
-// Share of the blocks of a shape in which something was seen through it.
-double seen_blocks(const WallCells& cells, const OpeningShape& shape) {
+// Shares of the blocks of a shape in which something was seen through it: of all, and of those that nothing hides
+// whole.
+struct SeenBlocks {
+  double of_all = 0, of_unhidden = 0;
+};
+
+SeenBlocks seen_blocks(const WallCells& cells, const OpeningShape& shape) {
   const RingBox box = shape.box();
-  std::array<uint8_t, kBlocks * kBlocks> has{}, sees{};
+  std::array<uint8_t, kBlocks * kBlocks> has{}, unhidden{}, sees{};
   const auto block = [](double at, double low, double size) {
     return std::clamp(static_cast<int>((at - low) / size * kBlocks), 0, kBlocks - 1);
   };
@@ -177,12 +182,24 @@ double seen_blocks(const WallCells& cells, const OpeningShape& shape) {
                                        block(c + 0.5, box.low.u, box.width()));
     has[k] = 1;
     const WallState state = cells.at(c, r);
+    if (state != WallState::kHidden) unhidden[k] = 1;
     if (state == WallState::kThrough || state == WallState::kDeep) sees[k] = 1;
   });
   const auto count = [](const auto& blocks) {
     return static_cast<double>(std::count(blocks.begin(), blocks.end(), uint8_t{1}));
   };
-  return count(sees) / std::max(1.0, count(has));
+  return {count(sees) / std::max(1.0, count(has)), count(sees) / std::max(1.0, count(unhidden))};
+}
+
+// Whether something was seen through a shape, all over it. A parapet before a window of which more than half the border
+// was measured, on both sides, hides that part of it: what is seen over the parapet tells.
+bool is_seen_through(const OpeningCandidate& c, const SeenBlocks& blocks) {
+  if (c.inside.of(WallState::kThrough) < kThroughCells) return false;
+  const double share = c.inside.share(WallState::kThrough);
+  if (share >= kThroughShare && blocks.of_all >= kSeenBlocks) return true;
+  const double unhidden = 1 - c.inside.share(WallState::kHidden);
+  return is_framed(c) && c.bordered >= kFramedShare && share >= kThroughShare * unhidden &&
+         blocks.of_unhidden >= kSeenBlocks;
 }
 
 // Whether a place of which nothing near the wall was seen is a recess: it has a jamb at least. A level strip is what
@@ -195,11 +212,9 @@ bool is_recess(const OpeningCandidate& c) {
 }
 
 // Steps 3 and 4.
-bool is_opening(const OpeningCandidate& c, double seen_blocks, double foot_v) {
+bool is_opening(const OpeningCandidate& c, const SeenBlocks& blocks, double foot_v) {
   if (std::max(c.bordered, c.framed) < kLeastBordered) return false;
-  if (c.inside.of(WallState::kThrough) >= kThroughCells && seen_blocks >= kSeenBlocks &&
-      c.inside.share(WallState::kThrough) >= kThroughShare)
-    return true;
+  if (is_seen_through(c, blocks)) return true;
   if (is_recess(c)) return true;
   const RingBox box = c.shape.box();
   if (box.low.v <= foot_v + kDoorStep_m) return false;

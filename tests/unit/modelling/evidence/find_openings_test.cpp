@@ -207,6 +207,16 @@ TEST_CASE("find_openings__what_something_hides_is_none_though_more_was_seen_past
   CHECK(PaintedWall().with(4, 0, 0.6, 5, WallState::kDeep).openings().size() == 1);
 }
 
+TEST_CASE("find_openings__a_parapet_before_a_window_says_nothing_of_what_is_seen_over_it") {
+  // A window over a broader parapet, seen through in a third of what that leaves of it.
+  PaintedWall wall;
+  wall.with(3.5, 1.8, 2.5, 1.2, WallState::kHidden).with(4, 3, 1.5, 1.4, WallState::kEmpty);
+  wall.with(4, 3.45, 1.5, 0.35, WallState::kThrough, 0.5);
+  const OpeningList windows = wall.openings();
+  REQUIRE(windows.size() == 1);
+  CHECK(norm(windows[0].shape.box().high - Vec2{105.5, 24.4}) < 0.05);
+}
+
 TEST_CASE("find_openings__relief_about_an_opening_is_told") {
   const OpeningList found = PaintedWall()
                                 .with(2.85, 0.85, 1.3, 1.7, WallState::kRelief)
