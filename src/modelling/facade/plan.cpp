@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/polygon2.h"
+#include "modelling/contour/contour.h"
+#include "modelling/evidence/contour_holes.h"
 #include "modelling/facade/opening_classes.h"
 #include "modelling/plane/ring_tools.h"
 #include "modelling/walls/bays.h"
@@ -20,6 +23,7 @@ constexpr double kConsumedShare =
     0.6;  // of a segment's points in openings: it is their joinery or reveal
 
 constexpr double kHiddenByCopy = 0.3;    // of a copy's box and of what was not seen there, together
+constexpr double kBesideCopy = 3;        // spacings, as beside openings (drawn_contour.cpp)
 constexpr double kChordOfSpacing = 0.1;  // of arcs, where only soundness is asked
 
 // Points of each segment that lie in openings, no further before the wall than what is fixed there.
@@ -138,9 +142,29 @@ std::vector<VectorFace> faces_with(const VectorPlane& plane, std::span<const Fac
   return faces;
 }
 
+// What a copy leaves of a place without data: nobody measured that either. What is small across is wall between both.
+std::vector<FacadeShadow> left_of(const FacadeShadow& shadow, const VectorRing& copy,
+                                  const FillSetting& setting, double spacing_m) {
+  const double chord_m = kChordOfSpacing * spacing_m, small_m = setting.small_spacings * spacing_m;
+  const RingBox taken = ring_box(copy).grown(kBesideCopy * spacing_m);
+  std::vector<FacadeShadow> out;
+  for (PolygonWithHoles& part :
+       without({{flattened(shadow.outline, chord_m), {}}},
+               {box_polygon(taken.low.u, taken.low.v, taken.high.u, taken.high.v)}, spacing_m)) {
+    if (equivalent_width(signed_area(part.outline), perimeter(part.outline)) <= small_m) continue;
+    FacadeShadow& left = out.emplace_back();
+    left.piece = shadow.piece;
+    left.outline.edges.resize(part.outline.size());
+    left.outline.corners = std::move(part.outline);
+  }
+  std::erase_if(out, [&](const FacadeShadow& left) { return is_filled(left, setting, spacing_m); });
+  return out;
+}
+
 // Copies of repeated openings go into the faces; one after the other, so that one that does not fit between its
 // neighbours is left out alone.
-void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& wall) {
+void add_copies(const PatternSetting& setting, const FillSetting& fill, VectorPlane& plane,
+                FacadeWall& wall) {
   std::vector<FacadeOpening> before = wall.openings;
   if (!setting.enabled || complete_patterns(wall, setting) == 0) return;
   std::vector<FacadeOpening> kept = before;
@@ -154,11 +178,17 @@ void add_copies(const PatternSetting& setting, VectorPlane& plane, FacadeWall& w
     if (is_new) trial.push_back(copy);
     else trial[i] = copy;
     // What hid the opening left no data of about its size: the copy says what was there.
-    std::vector<FacadeShadow> shadows = wall.shadows;
+    std::vector<FacadeShadow> shadows;
     const RingBox place = ring_box(copy.outline);
-    std::erase_if(shadows, [&](const FacadeShadow& shadow) {
-      return !shadow.is_filled && overlap(ring_box(shadow.outline), place) >= kHiddenByCopy;
-    });
+    for (const FacadeShadow& shadow : wall.shadows) {
+      if (shadow.is_filled || overlap(ring_box(shadow.outline), place) < kHiddenByCopy) {
+        shadows.push_back(shadow);
+        continue;
+      }
+      if (shadow.is_notch) continue;
+      for (FacadeShadow& part : left_of(shadow, copy.outline, fill, plane.spacing_m))
+        shadows.push_back(std::move(part));
+    }
     std::vector<VectorFace> faces = faces_with(plane, shadows, trial);
     if (!is_sound(faces[copy.piece], kChordOfSpacing * plane.spacing_m)) continue;
     plane.faces = std::move(faces);
@@ -202,7 +232,7 @@ FacadePlan plan_facades(const Segmentation& segmentation, std::vector<VectorPlan
                                           wall.wall, task, drawn_openings(evidence, index));
       count_points(opening_of, surveys[k], wall.wall, in_openings);
       fill_shadows(setting.fill, plan.planes[index], wall.wall);
-      add_copies(setting.patterns, plan.planes[index], wall.wall);
+      add_copies(setting.patterns, setting.fill, plan.planes[index], wall.wall);
       facade.walls.push_back(std::move(wall));
       ++k;
     }

@@ -19,16 +19,17 @@ Vec3 grid_point(double x, double y, double z) {
   return {walls::snapped(x), walls::snapped(y), walls::snapped(z)};
 }
 
+// In the plane y = -3.5, between the eye and the fourth window of the upper row.
+constexpr walls::Rectangle kScreen{8.13, 3.46, 9.11, 4.74};
+
 // A wall of 14 x 7 m with two rows of five windows, panes 20 cm behind, as one eye sees them past a screen that hides
 // one window whole.
-Segmentation seen_past_a_screen(const Vec3& shift) {
+Segmentation seen_past_a_screen(const Vec3& shift, const walls::Rectangle& screen = kScreen) {
   const Vec3 eye{7, -9, 3};
   std::vector<walls::Rectangle> windows;
   for (int i = 0; i < 5; ++i)
     for (int j = 0; j < 2; ++j)
       windows.push_back({1 + 2.7 * i, 1 + 3.0 * j, 2.1 + 2.7 * i, 2.6 + 3.0 * j});
-  // In the plane y = -3.5, between the eye and the fourth window of the upper row.
-  const walls::Rectangle screen{8.13, 3.46, 9.11, 4.74};
   const auto sees = [&](const Vec3& p) {
     const Vec3 q = eye + (p - eye) * ((-3.5 - eye.y) / (p.y - eye.y));
     return !screen.contains(q.x, q.z);
@@ -100,6 +101,23 @@ TEST_CASE(
     CHECK(std::fabs(after - before - window_m2 * (model.solids.empty() ? 1 : 2)) < 1e-6);
   }
   CHECK(parts_of(facade_of(segmentation, "{\"patterns\": false}"), "window").size() == 9);
+}
+
+TEST_CASE("facade_copies__leave_without_data_what_else_was_hidden") {
+  // Hides the wall 1.1 m below the window too.
+  walls::Rectangle screen = kScreen;
+  screen.bottom = 2.8;
+  const Model model = facade_of(seen_past_a_screen({}, screen));
+  const auto windows = parts_of(model, "window");
+  CHECK(windows.size() == 10);
+  CHECK(std::any_of(windows.begin(), windows.end(),
+                    [&](size_t w) { return model.parts[w].evidence == Evidence::kCopied; }));
+  const auto unmeasured = parts_of(model, "no_data");
+  REQUIRE(!unmeasured.empty());
+  Box3 box;
+  for (const size_t part : unmeasured) box += box_of_part(model, part);
+  CHECK(box.min.z == doctest::Approx(2.67).epsilon(0.03));
+  check_sound(model);
 }
 
 TEST_CASE("facade: a national grid moves the model and changes nothing else") {
