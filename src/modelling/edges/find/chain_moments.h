@@ -14,6 +14,9 @@
 
 namespace jalon {
 
+/// Of the points of a closed chain: where they lie further apart than two spacings, they stray in proportion.
+std::vector<double> weights_by_steps(std::span<const Vec2> chain, double spacing_m);
+
 /// Weighted least-squares lines and circles through any stretch of a closed chain in constant time, from running sums
 /// of the powers of its coordinates about their mean.
 class ChainMoments {
@@ -26,30 +29,37 @@ class ChainMoments {
     EdgeLine line;       ///< without sense: along either way
     double squares = 0;  ///< weighted sum of squared distances
   };
-  /// Points first ... last of the chain walked round up to twice; first < last.
-  LineFit line(size_t first, size_t last) const;
-  /// Its squares alone, without any angle.
-  double squares(size_t first, size_t last) const;
-  Vec2 mean(size_t first, size_t last) const;
-  /// Weighted sum of squared distances to a given line.
-  double squares_about(const EdgeLine& line, size_t first, size_t last) const;
-
   struct ArcFit {
     Circle circle;
     double squares =
         INFINITY;  ///< weighted sum of squared distances, to first order; infinite without a circle
   };
-  /// Linear fit (Boulaassal 2010, E.1.2).
-  ArcFit arc(size_t first, size_t last) const;
+
+  /// The points of one stretch.
+  class Stretch {
+   public:
+    LineFit line() const;
+    /// Its squares alone, without any angle.
+    double squares() const;
+    Vec2 mean() const;
+    /// Weighted sum of squared distances to a given line.
+    double squares_about(const EdgeLine& line) const;
+    /// Linear fit (Boulaassal 2010, E.1.2).
+    ArcFit arc() const;
+
+   private:
+    friend class ChainMoments;
+    Vec2 reference_;
+    /// Means, products about them; of u, v, uu, uv, vv, uz, vz, zz with z = uu + vv.
+    std::array<double, 8> central_;
+    double weight_ = 0;
+  };
+  /// Points first ... last of the chain walked round up to twice; first < last.
+  Stretch stretch(size_t first, size_t last) const;
 
  private:
-  static constexpr size_t kSums =
-      9;  ///< of u, v, uu, uv, vv, uz, vz, zz with z = uu + vv; and of the weights
+  static constexpr size_t kSums = 9;  ///< those of a stretch and the weights
   using Sums = std::array<double, kSums>;
-  /// Means over the stretch, products about their means; last the sum of weights.
-  Sums central(size_t first, size_t last) const;
-  /// About the line that fits best.
-  static double squares_of(const Sums& central);
 
   Vec2 reference_;
   size_t count_ = 0;

@@ -18,8 +18,6 @@ namespace {
 // Standard deviation of contour points about their line, in spacings: 0.29 on a grid, up to 0.5 measured on scattered
 // points, which are not independent of their neighbours either.
 constexpr double kChainPartsNoise = 0.5;
-// Where contour points lie further apart than this many spacings, they stray in proportion.
-constexpr double kStep = 2;
 // A part costs as much as on a ring of so many points at most: what a window's corner is worth on a window.
 constexpr size_t kMostRing = 100;
 // Candidate corners: Douglas-Peucker with this tolerance in spacings, and no two further apart than so many points, for
@@ -47,18 +45,6 @@ constexpr double kNearGuide = 1, kEndOff = 2, kBridge = 1.5;
 constexpr double kOdd = 2, kChainPartsShort = 12, kSlanted = 0.25;
 constexpr double kChainPartsLeastSine = 0.3;  // of the angle of a corner that is cut
 
-std::vector<double> weights_of(std::span<const Vec2> chain, double spacing_m) {
-  const size_t n = chain.size();
-  std::vector<double> out(n);
-  for (size_t i = 0; i < n; ++i) {
-    const double step =
-        (norm(chain[(i + 1) % n] - chain[i]) + norm(chain[i] - chain[(i + n - 1) % n])) / 2;
-    const double share = kStep * spacing_m / std::max(step, kStep * spacing_m);
-    out[i] = share * share;
-  }
-  return out;
-}
-
 // From the chain's first point to each of its points, twice round.
 std::vector<double> ways_along(std::span<const Vec2> chain) {
   const size_t n = chain.size();
@@ -77,7 +63,7 @@ struct Splitter {
   Splitter(std::span<const Vec2> points, const PartsSetting& s)
       : chain(points),
         setting(s),
-        moments(points, weights_of(points, s.spacing_m)),
+        moments(points, weights_by_steps(points, s.spacing_m)),
         way_m(ways_along(points)) {
     variance = kChainPartsNoise * kChainPartsNoise * s.spacing_m * s.spacing_m;
     // Schwarz: parameters x ln(n); a cut is one more.
@@ -168,17 +154,17 @@ bool misses_ends(const Splitter& s, const EdgeLine& line, size_t first, size_t l
 }
 
 // The guide that fits a straight part best, if any costs less than a line of its own.
-void try_guides(const Splitter& s, size_t first, size_t last, PartCost& out) {
+void try_guides(const Splitter& s, const ChainMoments::Stretch& points, size_t first, size_t last,
+                PartCost& out) {
   if (s.setting.guides == nullptr) return;
   const double n = static_cast<double>(last - first + 1);
-  const Vec2 chord = s.at(last) - s.at(first), mean = s.moments.mean(first, last);
+  const Vec2 chord = s.at(last) - s.at(first), mean = points.mean();
   s.setting.guides->visit(
       mean, kNearGuide * s.setting.spacing_m + s.setting.set_back_m, [&](EdgeLine line) {
         if (!(dot(line.direction, chord) > 0)) return;
         line.point = line.point + Vec2{-line.direction.v, line.direction.u} * s.setting.set_back_m;
         if (misses_ends(s, line, first, last)) return;
-        const double cost =
-            std::max(n, s.moments.squares_about(line, first, last) / s.variance) + s.cut_cost;
+        const double cost = std::max(n, points.squares_about(line) / s.variance) + s.cut_cost;
         if (cost < out.cost) out = {cost, false, false, true, line};
       });
 }
@@ -199,26 +185,37 @@ bool is_odd(const Splitter& s, size_t first, size_t last) {
          std::min(std::fabs(chord.u), std::fabs(chord.v)) > kSlanted * most;
 }
 
-PartCost cost_of(const Splitter& s, size_t first, size_t last) {
-  // Contour points stray together, as where a row of a grid ends beside an edge: nothing is gained by following them
-  // more closely than their standard deviation.
-  const double n = static_cast<double>(last - first + 1);
+double point_count(size_t first, size_t last) { return static_cast<double>(last - first + 1); }
+
+// Contour points stray together, as where a row of a grid ends beside an edge: nothing is gained by following them more
+// closely than their standard deviation.
+double cost_of_misfit(const Splitter& s, double squares, double n) {
+  return std::max(n, squares / s.variance);
+}
+
+PartCost cost_of(const Splitter& s, const ChainMoments::Stretch& points, size_t first,
+                 size_t last) {
+  const double n = point_count(first, last);
   ChainMoments::LineFit fit;  // its angle is of use where there are guides alone
-  if (s.setting.guides != nullptr) fit = s.moments.line(first, last);
-  else fit.squares = s.moments.squares(first, last);
-  const double line = std::max(n, fit.squares / s.variance);
+  if (s.setting.guides != nullptr) fit = points.line();
+  else fit.squares = points.squares();
+  const double line = cost_of_misfit(s, fit.squares, n);
   PartCost out{line + s.line_cost, false, line > kHopeless * n, false, {}};
   if (misses_ends(s, fit.line, first, last)) out.cost = INFINITY;
   if (is_odd(s, first, last)) out.cost += kOdd * s.cut_cost;
   if (is_bridge(s, first, last)) out.cost = n + s.cut_cost;
-  try_guides(s, first, last, out);
+  try_guides(s, points, first, last, out);
   if (!s.setting.arcs || last - first + 1 < kLeastArcPoints) return out;
-  const auto curve = s.moments.arc(first, last);
-  const double arc = std::max(n, curve.squares / s.variance);
+  const auto curve = points.arc();
+  const double arc = cost_of_misfit(s, curve.squares, n);
   out.is_hopeless = out.is_hopeless && !(arc < kHopeless * n);
   if (arc + s.arc_cost < out.cost && is_arc(s, curve.circle, first, last))
     out = {arc + s.arc_cost, true, false, false, {}};
   return out;
+}
+
+PartCost cost_of(const Splitter& s, size_t first, size_t last) {
+  return cost_of(s, s.moments.stretch(first, last), first, last);
 }
 
 // Where corners follow closely on each other every point may be one.
@@ -263,7 +260,15 @@ std::vector<size_t> cheapest_cuts(const Splitter& s, const std::vector<size_t>& 
   for (size_t i = 0; i + 1 < n; ++i) {
     int hopeless = 0;
     for (size_t j = i + 1; j < n && hopeless < kPatience; ++j) {
-      const PartCost part = cost_of(s, ends[i], ends[j]);
+      const auto points = s.moments.stretch(ends[i], ends[j]);
+      const double count = point_count(ends[i], ends[j]);
+      // No part costs less than its points and a cut, and most are known by then to be a piece of a longer one.
+      if (!(total[i] + (count + s.cut_cost) < total[j]) &&
+          cost_of_misfit(s, points.squares(), count) <= kHopeless * count) {
+        hopeless = 0;
+        continue;
+      }
+      const PartCost part = cost_of(s, points, ends[i], ends[j]);
       hopeless = part.is_hopeless ? hopeless + 1 : 0;
       if (!(total[i] + part.cost < total[j])) continue;
       total[j] = total[i] + part.cost;
@@ -327,10 +332,10 @@ ChainPart make_part(const Splitter& s, size_t first, size_t last) {
   const PartCost cost = cost_of(s, first, last);
   ChainPart part{first, last - first + 1, cost.is_arc, cost.is_guided, cost.guide, {}, 0};
   if (part.is_arc) {
-    part.circle = s.moments.arc(first, last).circle;
+    part.circle = s.moments.stretch(first, last).arc().circle;
     part.turn = swept(s, part.circle, first, last) > 0 ? 1 : -1;
   } else if (!part.is_guided) {
-    part.line = s.moments.line(first, last).line;
+    part.line = s.moments.stretch(first, last).line().line;
     if (dot(part.line.direction, s.at(last) - s.at(first)) < 0)
       part.line.direction = part.line.direction * -1;
   }

@@ -44,7 +44,7 @@ EdgeLine fitted_line(std::span<const Vec2> chain, const std::vector<size_t>& mem
   std::vector<Vec2> points;
   for (const size_t i : members) points.push_back(chain[i]);
   const std::vector<double> weights(points.size(), 1);
-  return ChainMoments(points, weights).line(0, points.size() - 1).line;
+  return ChainMoments(points, weights).stretch(0, points.size() - 1).line().line;
 }
 
 std::vector<size_t> members_of(const DrawnLines& lines, const EdgeLine& line,
@@ -145,7 +145,7 @@ double swept_by(std::span<const Vec2> chain, const Circle& circle, size_t first,
 // Of the points of a stretch about its circle.
 double rms_of(const ChainMoments& moments, const LineRun& stretch) {
   const double n = static_cast<double>(stretch.last - stretch.first + 1);
-  return std::sqrt(moments.arc(stretch.first, stretch.last).squares / n);
+  return std::sqrt(moments.stretch(stretch.first, stretch.last).arc().squares / n);
 }
 
 // Whether a circle explains a stretch, and that.
@@ -154,7 +154,7 @@ bool is_curve(const ChainMoments& moments, std::span<const Vec2> chain, const Li
   const auto [first, last] = stretch;
   if (last - first + 1 < kLeastCurve) return false;
   if (!(rms_of(moments, stretch) <= tolerance_m)) return false;
-  const Circle circle = moments.arc(first, last).circle;
+  const Circle circle = moments.stretch(first, last).arc().circle;
   const double turn = swept_by(chain, circle, first, last);
   if (std::fabs(turn) < kLeastCurveTurn_rad || std::fabs(turn) > kMostCurveTurn_rad) return false;
   out = {first, last - first + 1, true, false, {}, circle, turn > 0 ? 1.0 : -1.0};
@@ -182,7 +182,7 @@ void drop_chords(std::span<const Vec2> chain, const ChainMoments& moments, doubl
 ChainPart straight_part(const ChainMoments& moments, std::span<const Vec2> chain, size_t first,
                         size_t last, const LineRun& members) {
   ChainPart part{first, last - first + 1, false, false, {}, {}, 0};
-  part.line = moments.line(members.first, members.last).line;
+  part.line = moments.stretch(members.first, members.last).line().line;
   const Vec2 along = chain[members.last % chain.size()] - chain[members.first % chain.size()];
   if (dot(part.line.direction, along) < 0) part.line.direction = part.line.direction * -1;
   return part;

@@ -49,9 +49,10 @@ TEST_CASE("chain_moments__sums_about_a_line_are_those_of_its_points_round_the_ch
       weight += sample.weights[i % 40];
       sum = sum + (sample.chain[i % 40] - sample.chain[0]) * sample.weights[i % 40];
     }
-    CHECK(norm(moments.mean(first, last) - (sample.chain[0] + sum * (1 / weight))) < 1e-9);
+    CHECK(norm(moments.stretch(first, last).mean() - (sample.chain[0] + sum * (1 / weight))) <
+          1e-9);
     const EdgeLine line{{5001, -800.5}, {0.6, 0.8}};
-    CHECK(moments.squares_about(line, first, last) ==
+    CHECK(moments.stretch(first, last).squares_about(line) ==
           doctest::Approx(sample.squares(line, first, last)));
   }
 }
@@ -59,7 +60,7 @@ TEST_CASE("chain_moments__sums_about_a_line_are_those_of_its_points_round_the_ch
 TEST_CASE("chain_moments__no_other_line_is_nearer_to_the_points_than_the_one_fitted") {
   const Sample sample(25);
   const ChainMoments moments(sample.chain, sample.weights);
-  const auto fit = moments.line(20, 33);
+  const auto fit = moments.stretch(20, 33).line();
   CHECK(norm(fit.line.direction) == doctest::Approx(1));
   CHECK(fit.squares == doctest::Approx(sample.squares(fit.line, 20, 33)));
   for (const double turn : {-0.01, 0.01})
@@ -82,7 +83,7 @@ TEST_CASE("chain_moments__points_of_a_circle_give_it_back_and_noise_its_squares"
       chain.push_back(truth.centre + Vec2{r * std::cos(angle), r * std::sin(angle)});
       weights.push_back(0.5 + random.uniform());
     }
-    const auto fit = ChainMoments(chain, weights).arc(0, 59);
+    const auto fit = ChainMoments(chain, weights).stretch(0, 59).arc();
     CHECK(norm(fit.circle.centre - truth.centre) <= 3 * noise_m + 1e-6);
     CHECK(std::fabs(fit.circle.radius - truth.radius) <= 3 * noise_m + 1e-6);
     double squares = 0;
@@ -97,6 +98,6 @@ TEST_CASE("chain_moments__points_on_a_line_have_no_circle") {
   for (int i = 0; i < 20; ++i) chain.push_back({0.5 * i, 0.25 * i});
   const std::vector<double> weights(20, 1);
   const ChainMoments moments(chain, weights);
-  CHECK(moments.arc(0, 19).squares == INFINITY);
-  CHECK(moments.line(0, 19).squares < 1e-12);
+  CHECK(moments.stretch(0, 19).arc().squares == INFINITY);
+  CHECK(moments.stretch(0, 19).line().squares < 1e-12);
 }
