@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "modelling/plane/lone_points.h"
 
-#include <array>
 #include <atomic>
 
 #include "base/parallel.h"
+#include "spatial/octree/other_within.h"
 
 namespace jalon {
 
@@ -24,7 +24,6 @@ LonePoints::LonePoints(const Cloud& cloud, std::span<const uint32_t> labels, dou
   const auto order = tree->order();
   const double near2 = near_m * near_m;
   parallel_for(task, order.size(), kLoneGrain, [&](size_t begin, size_t end) {
-    std::array<Neighbour, 2> found;
     for (size_t s = begin; s < end; ++s) {
       const uint32_t i = order[s];
       if (labels[i] != 0) continue;
@@ -36,8 +35,7 @@ LonePoints::LonePoints(const Cloud& cloud, std::span<const uint32_t> labels, dou
       bool has_near = false;
       for (size_t k = 1; k <= kOnCurve && !has_near; ++k)
         has_near = (s >= k && is_near(s - k)) || is_near(s + k);
-      if (has_near) continue;
-      if (tree->knn(p, 2, found) == 2 && found[1].squared_distance <= near2) continue;
+      if (has_near || has_other_within(*tree, s, near_m)) continue;
       std::atomic_ref<uint64_t>(bits_[i / 64])
           .fetch_or(uint64_t{1} << i % 64, std::memory_order_relaxed);
     }

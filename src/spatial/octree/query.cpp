@@ -12,6 +12,7 @@
 
 #include "spatial/octree/exact_walk.h"
 #include "spatial/octree/impl.h"
+#include "spatial/octree/other_within.h"
 
 namespace jalon {
 
@@ -231,6 +232,27 @@ bool Octree::nearest_within(const Vec3& q, double radius, Neighbour& out) const 
     return false;
   out = {found.squared, found.index};
   return true;
+}
+
+bool has_other_within(const Octree& octree, size_t sorted_position, double radius) {
+  if (!(radius >= 0)) return false;
+  const Octree::Impl& tree = octree.impl();
+  const Vec3 q = tree.exact_point(sorted_position), q_grid = to_grid(tree, q);
+  const double squared_radius = radius * radius, limit = limit_of(tree, squared_radius);
+  bool has_one = false;
+  const auto found = [&](size_t position, double squared) {
+    has_one = has_one || (position != sorted_position && squared <= squared_radius);
+  };
+  if (tree.has_exact_boxes()) {
+    const auto may_hold = [&](double squared, uint32_t) {
+      return !has_one && squared <= squared_radius;
+    };
+    measure(tree, q, may_hold, found);
+    return has_one;
+  }
+  const auto bound = [&] { return has_one ? -1.0 : limit; };  // nothing is nearer than -1
+  walk(tree, q_grid, bound, [&](size_t leaf) { scan_leaf(tree, leaf, q, q_grid, bound, found); });
+  return has_one;
 }
 
 void Octree::radius(const Vec3& q, double radius, std::vector<Neighbour>& out) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "spatial/octree/other_within.h"
 #include "unit/spatial/hostile_clouds.h"
 #include "unit/spatial/octree_fixture.h"
 
@@ -41,6 +42,23 @@ TEST_CASE("query__knn_settles_ties_on_a_lattice_by_index_like_brute_force") {
         REQUIRE(out[i].squared_distance == truth[i].squared_distance);
       }
     }
+}
+
+TEST_CASE("query__another_point_is_within_the_closed_ball_or_not_like_brute_force") {
+  std::vector<double> xyz = lattice(5);
+  for (const double stray :
+       {20.0, 20.5, 1e6, 1e6, -7.0})  // two that are near each other, a pile of two, one alone
+    for (const double c : {stray, 2.0, 2.0}) xyz.push_back(c);
+  const auto tree = build(xyz);
+  std::vector<Neighbour> ball;
+  for (size_t s = 0; s < tree->size(); ++s)
+    for (const double radius : {-1.0, 0.0, 0.49, 0.5, 0.999999, 1.0, 8.9, 9.0, kInfinite}) {
+      const double* p = &xyz[3 * tree->order()[s]];
+      tree->radius({p[0], p[1], p[2]}, radius, ball);
+      REQUIRE(has_other_within(*tree, s, radius) == (ball.size() > 1));
+    }
+  const auto pile = build(std::vector<double>(3 * 100, 4.0));
+  CHECK(has_other_within(*pile, 50, 0));
 }
 
 TEST_CASE("query__the_ball_is_closed_and_its_points_ascend") {
