@@ -29,6 +29,11 @@ bool all_items(Task& task, size_t n, F&& fits) {
          }) == 0;
 }
 
+// Integers that a place of their own kind holds whatever they are.
+bool holds_all(const Place& place, ElementType type) {
+  return place.bits == 0 && place.factor == 1 && place.type == type;
+}
+
 // Every value is a multiple of the place's factor that its integer can hold; when it rounds, near one.
 bool fits(const Column& column, const Place& place, bool rounds, Task& task) {
   if (column.info().components != 1) return false;
@@ -38,6 +43,7 @@ bool fits(const Column& column, const Place& place, bool rounds, Task& task) {
                                          : size_of(type) < size_of(place.type);
     return exact;
   }
+  if (holds_all(place, type)) return true;
   return visit(place.type, [&](auto stored_zero) {
     using Stored = decltype(stored_zero);
     const double low =
@@ -47,6 +53,11 @@ bool fits(const Column& column, const Place& place, bool rounds, Task& task) {
     return visit(type, [&](auto zero) {
       using T = decltype(zero);
       const auto values = column.values<T>();
+      if (std::is_integral_v<T> && place.factor == 1)
+        return all_items(task, values.size(), [&](size_t i) {
+          const double value = static_cast<double>(values[i]);
+          return value >= low && value <= high;
+        });
       return all_items(task, values.size(), [&](size_t i) {
         const double value = static_cast<double>(values[i]);
         const double rounded = std::nearbyint(value / place.factor);
