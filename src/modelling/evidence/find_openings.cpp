@@ -165,30 +165,35 @@ bool is_free(const WallCells& cells, const OpeningShape& shape,
   return sum >= kLeastSum && static_cast<double>(taken) <= kMostTaken * static_cast<double>(all);
 }
 
-// Shares of the blocks of a shape in which something was seen through it: of all, and of those that nothing hides
-// whole.
+// Shares of the blocks of a shape in which as much was seen through it as in the whole, for strays are in every block:
+// of all, and of those that nothing hides whole, by what is not hidden.
 struct SeenBlocks {
   double of_all = 0, of_unhidden = 0;
 };
 
 SeenBlocks seen_blocks(const WallCells& cells, const OpeningShape& shape) {
   const RingBox box = shape.box();
-  std::array<uint8_t, kBlocks * kBlocks> has{}, unhidden{}, sees{};
+  std::array<uint32_t, kBlocks * kBlocks> all{}, unhidden{}, seen{};
   const auto block = [](double at, double low, double size) {
     return std::clamp(static_cast<int>((at - low) / size * kBlocks), 0, kBlocks - 1);
   };
   for_cells(cells, shape, [&](uint32_t c, uint32_t r) {
     const auto k = static_cast<size_t>(block(r + 0.5, box.low.v, box.height()) * kBlocks +
                                        block(c + 0.5, box.low.u, box.width()));
-    has[k] = 1;
     const WallState state = cells.at(c, r);
-    if (state != WallState::kHidden) unhidden[k] = 1;
-    if (state == WallState::kThrough || state == WallState::kDeep) sees[k] = 1;
+    ++all[k];
+    unhidden[k] += state != WallState::kHidden;
+    seen[k] += state == WallState::kThrough || state == WallState::kDeep;
   });
-  const auto count = [](const auto& blocks) {
-    return static_cast<double>(std::count(blocks.begin(), blocks.end(), uint8_t{1}));
+  const auto share_of = [&](const auto& asked) {
+    int has = 0, sees = 0;
+    for (size_t k = 0; k < asked.size(); ++k) {
+      has += asked[k] > 0;
+      sees += seen[k] > 0 && seen[k] >= kThroughShare * asked[k];
+    }
+    return static_cast<double>(sees) / std::max(1, has);
   };
-  return {count(sees) / std::max(1.0, count(has)), count(sees) / std::max(1.0, count(unhidden))};
+  return {share_of(all), share_of(unhidden)};
 }
 
 // Whether something was seen through a shape, all over it. A parapet before a window of which more than half the border

@@ -11,10 +11,13 @@ namespace jalon {
 namespace {
 
 constexpr double kSeenInBand = 0.04, kSeenInRest = 0.25;  // shares of cells that were seen through
+// Strays are seen in bands too. A line may be a band's up to the share that either share explains as well:
+// log(0.96 / 0.75) / log(0.96 * 0.25 / (0.75 * 0.04)).
+constexpr double kSeenInLine = 0.119;
 constexpr double kHiddenInBand = 0.1;
 constexpr int kLeastBand = 3;    // cells
-constexpr int kBeside = 4;       // cells beside the opening
-constexpr double kGoesOn = 0.5;  // of them without wall, on either side
+constexpr int kBeside = 2;       // cells beside the opening
+constexpr double kGoesOn = 0.5;  // of the lines there, without wall
 
 bool is_seen(WallState state) { return state == WallState::kThrough || state == WallState::kDeep; }
 
@@ -40,17 +43,31 @@ struct Lines {
     return all > 0 ? static_cast<double>(yes) / all : 0;
   }
   double seen(int line0, int line1) const { return share(line0, line1, from, to, is_seen); }
-  // Nothing was seen there, and nothing before it explains that.
-  bool is_blank(int line) const {
+  // Hardly anything was seen there, and nothing before it explains that.
+  bool is_blank(int line, double most_seen) const {
     const auto is_hidden = [](WallState s) { return s == WallState::kHidden; };
-    return seen(line, line + 1) <= kSeenInBand &&
+    return seen(line, line + 1) <= most_seen &&
            share(line, line + 1, from, to, is_hidden) <= kHiddenInBand;
   }
-  // Whether the band between two lines goes on beside the rectangle, at one of its ends.
+  // The end of the band that begins at a line; that line: none does. One cell may be seen in its first and last lines,
+  // more only in those between.
+  int end_of_band(int line) const {
+    const double at_end = std::max(kSeenInBand, 1.0 / (to - from));
+    int end = line;
+    for (int at = line; at < last && is_blank(at, kSeenInLine); ++at)
+      if (is_blank(at, at_end) && seen(line, at + 1) <= kSeenInBand) end = at + 1;
+    return end;
+  }
+  // Whether the band between two lines goes on beside the rectangle, at one of its ends: in every cell of so many, for
+  // a neighbour's opening may lie behind a pier.
   bool goes_on(int line0, int line1) const {
     const auto is_open = [](WallState s) { return !is_wall(s) && s != WallState::kOutside; };
-    return std::max(share(line0, line1, from - 1 - kBeside, from - 1, is_open),
-                    share(line0, line1, to + 1, to + 1 + kBeside, is_open)) >= kGoesOn;
+    const auto are_open = [&](int along, int step) {
+      for (int k = 0; k < kBeside; ++k, along += step)
+        if (share(line0, line1, along, along + 1, is_open) < kGoesOn) return false;
+      return true;
+    };
+    return are_open(from - 2, -1) || are_open(to + 1, 1);
   }
 };
 
@@ -59,8 +76,7 @@ std::vector<std::pair<int, int>> without_bands(const Lines& lines) {
   std::vector<std::pair<int, int>> out;
   int start = lines.first;
   for (int line = lines.first; line < lines.last;) {
-    int end = line;
-    while (end < lines.last && lines.is_blank(end)) ++end;
+    const int end = lines.end_of_band(line);
     if (end - line >= kLeastBand && lines.goes_on(line, end)) {
       if (line > start) out.push_back({start, line});
       start = end;

@@ -160,6 +160,13 @@ TEST_CASE("find_openings__what_was_seen_through_one_corner_only_is_not_an_openin
             .with(4, 0, 3, 0.6, WallState::kThrough)
             .openings()
             .empty());
+  // And stray points all over it.
+  PaintedWall wall;
+  wall.with(4, 0, 3, 3, WallState::kEmpty).with(4, 0, 3, 0.6, WallState::kThrough);
+  for (uint32_t r = 5; r < 60; r += 12)
+    for (uint32_t c = 85; c < 140; c += 12)
+      wall.cells.states[size_t{r} * wall.cells.columns + c] = WallState::kThrough;
+  CHECK(wall.openings().empty());
 }
 
 TEST_CASE("find_openings__a_window_over_a_hidden_band_is_found_although_the_band_is_larger") {

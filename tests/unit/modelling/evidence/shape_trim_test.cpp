@@ -46,6 +46,35 @@ TEST_CASE("parts_of__a_band_that_something_hides_or_that_was_seen_through_is_not
   CHECK(parts_of(wall_with_band(WallState::kDeep, 10, 50), kTall).size() == 1);
 }
 
+TEST_CASE("parts_of__a_neighbours_opening_behind_a_pier_is_no_band_that_goes_on") {
+  for (const bool is_right : {true, false}) {
+    WallCells cells = wall_with_band(WallState::kEmpty, 20, 40);
+    if (is_right) paint(cells, {43, 10, 55, 70}, WallState::kThrough);
+    else paint(cells, {5, 10, 17, 70}, WallState::kThrough);
+    CHECK(parts_of(cells, kTall).size() == 1);
+  }
+}
+
+TEST_CASE("parts_of__stray_points_behind_a_band_leave_it_blank") {
+  WallCells cells = wall_with_band(WallState::kEmpty, 10, 50);
+  for (const auto& [column, row] : {std::pair{22u, 35u},
+                                    {37u, 37u},
+                                    {26u, 39u},
+                                    {33u, 39u},
+                                    {29u, 41u},
+                                    {24u, 43u},
+                                    {38u, 44u}})
+    paint(cells, {column, row, column + 1, row + 1}, WallState::kThrough);
+  const auto parts = parts_of(cells, kTall);
+  REQUIRE(parts.size() == 2);
+  CHECK(parts[0].sizes == rectangle(20.3, 39.8, 10.2, 35).sizes);
+  CHECK(parts[1].sizes == rectangle(20.3, 39.8, 45, 70).sizes);
+  // Three times as many are none.
+  for (uint32_t row = 35; row < 45; ++row)
+    paint(cells, {25, row, 27, row + 1}, WallState::kThrough);
+  CHECK(parts_of(cells, kTall).size() == 1);
+}
+
 TEST_CASE("parts_of__bands_across_both_ways_leave_four_parts") {
   WallCells cells = cells_of(80, 80);
   paint(cells, {20, 20, 60, 60}, WallState::kThrough);
