@@ -37,9 +37,10 @@ unsigned sector_bit(double u, double v) {
 }
 
 // By filled sectors, a bit each.
-constexpr std::array<bool, 1 << kBorderSectors> kHasOpenSide = [] {
-  std::array<bool, 1 << kBorderSectors> open{};
-  for (unsigned filled = 0; filled < open.size(); ++filled) {
+constexpr size_t kSectorSets = size_t{1} << kBorderSectors;
+constexpr std::array<bool, kSectorSets> kHasOpenSide = [] {
+  std::array<bool, kSectorSets> open{};
+  for (unsigned filled = 0; filled < kSectorSets; ++filled) {
     const unsigned twice = filled | filled << kBorderSectors;
     for (unsigned k = 0; k < kBorderSectors; ++k)
       open[filled] = open[filled] || (twice >> k & ((1u << kEmptySideBySide) - 1)) == 0;
