@@ -110,7 +110,7 @@ void cut_along(const SegmentScene& scene, const SliceRule& slices, const Profile
   const RectangleRule rule{slices.step_m, settings.angle_rad,
                            settings.surface.distance_tolerance_m};
   const std::vector<ProfileRectangle> rectangles = match_lines(lines, rule, task);
-  const auto sets = join_rectangles(lines, rectangles, rule);
+  const auto sets = join_rectangles(lines, rectangles, rule, task);
   std::vector<Surface> found(sets.size());
   parallel_for(task, sets.size(), 1, [&](size_t s, size_t) {
     found[s] = surface_of(scene, lines, sets[s], slices.step_m, task);
@@ -123,10 +123,10 @@ void cut_along(const SegmentScene& scene, const SliceRule& slices, const Profile
 
 std::span<const ParamRow> profile_rows() { return kProfileRows; }
 
-// Successive profiles (the third of three methods for planes compared in France in 2006):
-// 1. slices along each axis, their points chained and simplified to lines; 2. lines of neighbouring slices matched to
-// rectangles; 3. rectangles joined to planes; 4. those of all axes joined, the points between the slices taken; 5.
-// points shared out among all planes, last fit.
+// Successive profiles (the third of three methods for planes compared in France in 2006): 1. slices along each axis,
+// their points moved into the slice's plane along the surface about them, chained and simplified to lines; 2. lines of
+// neighbouring slices matched to rectangles; 3. rectangles grown to planes; 4. those of all axes joined, the points
+// between the slices taken; 5. points shared out among all planes, last fit.
 Segmentation segment_by_profiles(const CloudPtr& cloud, const ProfileSettings& settings,
                                  Task& task) {
   require_area(*cloud, task);

@@ -198,7 +198,7 @@ import json, sys
 rows = {row[\"method\"]: row for row in json.load(sys.stdin)[\"methods\"]}
 assert rows[\"ransac\"][\"planes\"] > 5 and rows[\"hough\"][\"tdr\"] > 0.5 and rows[\"scan_lines\"][\"planes\"] > 5, rows
 best = max(rows.values(), key=lambda r: 2 * r[\"tdr\"] * r[\"tda\"] / (r[\"tdr\"] + r[\"tda\"]) if r[\"tdr\"] else 0)
-assert all(1e5 < r[\"memory_bytes\"] < 1e9 for r in rows.values()), rows
+assert all(r[\"unsupported\"] or 1e5 < r[\"memory_bytes\"] < 1e9 for r in rows.values()), rows
 assert best[\"method\"] in json.load(open(\"methods/methods.json\"))[\"advice\"], best'"
 check "comparing methods says that nothing is known without true faces" bash -c "'$jalon' segment sample.las -o untold --compare-methods | grep -q 'Without true segments'"
 for file in methods.csv methods.json methods.html ransac.svg hough.svg; do check "comparing methods made $file" test -s methods/$file; done

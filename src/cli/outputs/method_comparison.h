@@ -95,7 +95,7 @@ struct MethodComparison {
   /// those as good that are faster; without them no figure of the table tells planes from chance, and what was measured
   /// where truth is known has to do (tests/bench/METHODS.md).
   static std::string advice(const std::vector<Row>& rows) {
-    constexpr double kAsGood = 0.01;  // of F1: less than another seed of the scan makes
+    constexpr double kAsGood = 0.01;  // of F1, by choice: about one segment of a hundred
     const auto score = [](const Row& r) {
       const double sum = r.tdr + r.tda;
       return sum > 0 ? 2 * r.tdr * r.tda / sum : 0.0;
@@ -105,8 +105,8 @@ struct MethodComparison {
       if (std::isfinite(r.tdr) && (best == nullptr || score(r) > score(*best))) best = &r;
     if (best == nullptr || score(*best) == 0)
       return "Without true segments (--reference-labels) no figure tells which planes are right; "
-             "where they are known, "
-             "ransac and region_growing are the best on most scenes. Look at the pictures.";
+             "where they are known, ransac and region_growing are the best on most scenes. Look at "
+             "the pictures.";
     std::string text = "Nearest to the true segments: " + best->method + " (F1 of TDR and TDA " +
                        fixed(score(*best), 3) + ")";
     std::string faster;
@@ -160,11 +160,11 @@ struct MethodComparison {
     const jalon_status status =
         jalon_segmenter_run(worker.get(), cloud.get(), console.task(), Out(segmentation));
     row.seconds = console.seconds();
-    row.memory = memory.peak_bytes();
     if (status == JALON_ERROR_UNSUPPORTED) {
       row.why_not = jalon_last_error_message();
       return row;
     }
+    row.memory = memory.peak_bytes();
     must(status);
     Fields fields;
     must(jalon_segmentation_segments(segmentation.get(), Out(fields)));

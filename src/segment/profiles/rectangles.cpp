@@ -21,6 +21,7 @@ constexpr double kSteepestOffset =
 constexpr double kLeastOverlap = 0.5;  // of the shorter line
 constexpr double kRectangleResidual = 0.5;  // rms of its points, in tolerances (as of seeds)
 constexpr double kRectangleRefit = 1.1;     // growth after which the plane is solved anew
+constexpr size_t kRectanglesPerCheckpoint = 1 << 12;  // some 100 ns each
 constexpr uint32_t kNoLine = 0xffffffffu;
 constexpr uint32_t kLinesPerBlock = 16;  // of a few chains, and so near to one another
 // Far above the rounding of a coordinate, far below any tolerance.
@@ -122,10 +123,11 @@ class Neighbours {
 class RectangleGrowth {
  public:
   RectangleGrowth(std::span<const ProfileLine> lines, std::span<const ProfileRectangle> rectangles,
-                  const RectangleRule& rule)
+                  const RectangleRule& rule, Task& task)
       : lines_(lines),
         rectangles_(rectangles),
         rule_(rule),
+        task_(task),
         cosine_(std::cos(rule.angle_rad)),
         at_line_(lines.size()),
         taken_(rectangles.size(), 0),
@@ -156,6 +158,8 @@ class RectangleGrowth {
  private:
   void take(uint32_t r, ProfileSet& set) {
     taken_[r] = 1;
+    if (++taken_count_ % kRectanglesPerCheckpoint == 0)
+      task_.checkpoint(static_cast<double>(taken_count_) / static_cast<double>(taken_.size()));
     members_.push_back(r);
     for (const uint32_t line : {rectangles_[r].low, rectangles_[r].high}) {
       if (std::exchange(last_set_[line], sets_) == sets_) continue;
@@ -180,9 +184,11 @@ class RectangleGrowth {
   std::span<const ProfileLine> lines_;
   std::span<const ProfileRectangle> rectangles_;
   const RectangleRule& rule_;
+  Task& task_;
   double cosine_;
   std::vector<std::vector<uint32_t>> at_line_;
   std::vector<uint8_t> taken_;
+  size_t taken_count_ = 0;
   std::vector<uint32_t> last_set_;  ///< that the line came to; rectangles of two may share it
   uint32_t sets_ = 0;
   std::vector<uint32_t> members_;  ///< rectangles of the set that grows
@@ -232,8 +238,8 @@ std::vector<ProfileRectangle> match_lines(std::span<const ProfileLine> lines,
 
 std::vector<ProfileSet> join_rectangles(std::span<const ProfileLine> lines,
                                         std::span<const ProfileRectangle> rectangles,
-                                        const RectangleRule& rule) {
-  RectangleGrowth growth(lines, rectangles, rule);
+                                        const RectangleRule& rule, Task& task) {
+  RectangleGrowth growth(lines, rectangles, rule, task);
   std::vector<ProfileSet> sets;
   for (const uint32_t seed : by_points(rectangles)) {
     ProfileSet set = growth.from(seed);

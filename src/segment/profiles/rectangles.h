@@ -43,6 +43,6 @@ struct ProfileSet {
 /// in it, over which no chain of rectangles may lead from plane to plane.
 std::vector<ProfileSet> join_rectangles(std::span<const ProfileLine> lines,
                                         std::span<const ProfileRectangle> rectangles,
-                                        const RectangleRule& rule);
+                                        const RectangleRule& rule, Task& task);
 
 }  // namespace jalon

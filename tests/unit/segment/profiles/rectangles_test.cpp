@@ -33,7 +33,7 @@ TEST_CASE("rectangles__of_a_wall_with_a_set_back_upper_part_are_two_planes") {
   Task task;
   const auto rectangles = match_lines(lines, kRule, task);
   CHECK(rectangles.size() == 7);  // one of them joins the two parts
-  const auto planes = join_rectangles(lines, rectangles, kRule);
+  const auto planes = join_rectangles(lines, rectangles, kRule, task);
   REQUIRE(planes.size() == 2);
   CHECK(planes[0].lines == std::vector<uint32_t>{0, 1, 2, 3});
   CHECK(planes[1].lines == std::vector<uint32_t>{4, 5, 6, 7});
@@ -47,7 +47,7 @@ TEST_CASE("rectangles__of_a_wall_beside_windows_take_the_nearest_line") {
       lines.push_back(line_of(k, u + 1.05, u + 1.95, 0.2));
     }
   Task task;
-  const auto planes = join_rectangles(lines, match_lines(lines, kRule, task), kRule);
+  const auto planes = join_rectangles(lines, match_lines(lines, kRule, task), kRule, task);
   REQUIRE(planes.size() == 4);
   CHECK(planes[0].lines.size() == 10);  // the wall, whole below and in three columns
   for (size_t k = 1; k < 4; ++k) CHECK(planes[k].lines.size() == 3);
@@ -63,7 +63,7 @@ TEST_CASE("rectangles__lead_over_no_chain_of_slopes_from_plane_to_plane") {
     lines.push_back(line_of(k, 4.1, 5, depths[k]));
   }
   Task task;
-  const auto sets = join_rectangles(lines, match_lines(lines, kRule, task), kRule);
+  const auto sets = join_rectangles(lines, match_lines(lines, kRule, task), kRule, task);
   for (const ProfileSet& set : sets) {
     PlaneFit fit;
     REQUIRE(fit_plane(set.moments, fit));
