@@ -327,7 +327,8 @@ FacadeFigures compare_facade(const FoundFacade& found, const FacadeTruth& truth)
     bool is_straight = true;
     for (const TruthCorner& c : mine.contour) is_straight = is_straight && c.sagitta_m == 0;
     out.straight += is_straight;
-    out.false_arcs += is_straight && !other.drawn.arcs.empty();
+    out.round += !is_straight;
+    (is_straight ? out.false_arcs : out.round_drawn) += !other.drawn.arcs.empty();
   }
   // 2. What is missing, and what is invented.
   for (size_t t = 0; t < truth.openings.size(); ++t) {
@@ -368,6 +369,7 @@ FacadeFigures& FacadeFigures::operator+=(const FacadeFigures& o) {
   wall_seen_m2 += o.wall_seen_m2, lost_m2 += o.lost_m2;
   corners += o.corners, paired += o.paired, corner_squares += o.corner_squares;
   straight += o.straight, false_arcs += o.false_arcs;
+  round += o.round, round_drawn += o.round_drawn;
   notes += o.notes;
   return *this;
 }
@@ -376,7 +378,7 @@ std::string heads_of_rows() {
   return "kind         facades wanted recall  prec. med.IoU  class  invent.% elsewh.%  lost% "
          "corner RMS  "
          "(paired)"
-         " false arcs";
+         " false arcs  arcs";
 }
 
 std::string row_of(const std::string& name, const FacadeFigures& f) {
@@ -387,8 +389,9 @@ std::string row_of(const std::string& name, const FacadeFigures& f) {
       << f.class_share() << std::setprecision(2) << std::setw(10) << 100 * f.invented_share()
       << std::setw(9) << 100 * f.elsewhere_share() << std::setw(7) << 100 * f.lost_share()
       << std::setw(11) << f.corner_rms() << std::setw(6) << f.paired << "/" << std::left
-      << std::setw(6) << f.corners << std::right << std::setw(4) << f.false_arcs << "/"
-      << f.straight;
+      << std::setw(6) << f.corners << std::right << std::setw(4) << f.false_arcs << "/" << std::left
+      << std::setw(6) << f.straight << std::right << std::setw(4) << f.round_drawn << "/"
+      << f.round;
   return out.str();
 }
 

@@ -55,6 +55,7 @@ struct FacadeFigures {
   size_t corners = 0, paired = 0;
   double corner_squares = 0;            ///< of the paired ones, in spacings
   size_t straight = 0, false_arcs = 0;  ///< found openings without arcs; those drawn with one
+  size_t round = 0, round_drawn = 0;    ///< found openings with arcs; those drawn with one
   std::string notes;                    ///< openings missed and invented
 
   double recall() const { return share(found, wanted); }

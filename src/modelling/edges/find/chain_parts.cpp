@@ -44,6 +44,9 @@ constexpr double kNearGuide = 1, kEndOff = 2, kBridge = 1.5;
 // In spacings; a tangent.
 constexpr double kOdd = 2, kChainPartsShort = 12, kSlanted = 0.25;
 constexpr double kChainPartsLeastSine = 0.3;  // of the angle of a corner that is cut
+// Heads are round; sides are not, while a side seen in few rows has both its corners cut. An arc on an upright chord
+// costs so many lines more, those at the corners: that it does without them speaks for no building.
+constexpr double kLinesOfUpright = 2;
 
 // From the chain's first point to each of its points, twice round.
 std::vector<double> ways_along(std::span<const Vec2> chain) {
@@ -137,6 +140,12 @@ bool is_arc(const Splitter& s, const Circle& circle, size_t first, size_t last) 
   return is_shorter(s, first, last, kLengthAgreement * circle.radius * angle + 4 * spacing);
 }
 
+double cost_of_upright(const Splitter& s, const Circle& circle, size_t first, size_t last) {
+  const Vec2 chord = s.at(last) - s.at(first);
+  if (std::fabs(swept(s, circle, first, last)) > kWholeTurn) return 0;  // a circle has no chord
+  return kLinesOfUpright * s.line_cost * std::fabs(chord.v) / norm(chord);
+}
+
 struct PartCost {
   double cost = INFINITY;
   bool is_arc = false;
@@ -209,8 +218,10 @@ PartCost cost_of(const Splitter& s, const ChainMoments::Stretch& points, size_t 
   const auto curve = points.arc();
   const double arc = cost_of_misfit(s, curve.squares, n);
   out.is_hopeless = out.is_hopeless && !(arc < kHopeless * n);
-  if (arc + s.arc_cost < out.cost && is_arc(s, curve.circle, first, last))
-    out = {arc + s.arc_cost, true, false, false, {}};
+  if (!(arc + s.arc_cost < out.cost)) return out;
+  const double whole = arc + s.arc_cost + cost_of_upright(s, curve.circle, first, last);
+  if (whole < out.cost && is_arc(s, curve.circle, first, last))
+    out = {whole, true, false, false, {}};
   return out;
 }
 

@@ -76,6 +76,31 @@ TEST_CASE("split_chain__a_whole_circle_is_two_arcs_and_a_triangle_of_points_thre
   for (const ChainPart& part : lines) CHECK(!part.is_arc);
 }
 
+// A window 16 spacings high in few rows: the triangulation cuts both corners of its left side, four spacings each.
+TEST_CASE("split_chain__a_side_with_both_corners_cut_is_no_arc_but_a_round_side_well_seen_is") {
+  std::vector<Vec2> window;
+  for (int k = 0; k < 10; ++k) window.push_back({10 - 0.99 * k, 16 + 0.3 * (k % 2)});
+  window.insert(window.end(), {{0.3, 14.2}, {-0.4, 12.6}});
+  for (int k = 0; k < 5; ++k) window.push_back({-0.9 - 0.4 * (k % 2), 11.2 - 1.5 * k});
+  window.insert(window.end(), {{-0.2, 3.6}, {0.5, 1.9}});
+  for (int k = 0; k < 10; ++k) window.push_back({1.2 + 0.98 * k, -0.3 * (k % 2)});
+  for (int k = 0; k < 15; ++k) window.push_back({11 + 0.3 * (k % 2), 0.5 + k});
+  for (const ChainPart& part : split_chain(window, {1, true})) CHECK(!part.is_arc);
+
+  std::vector<Vec2> round_side;  // 40 spacings across
+  for (int k = 0; k < 40; ++k) round_side.push_back({40.0 - k, 40 + 0.3 * (k % 2)});
+  for (int k = 0; k < 63; ++k) {
+    const double a = std::numbers::pi * (0.5 + k / 63.0), radius = 20 + 0.3 * (k % 2);
+    round_side.push_back({radius * std::cos(a), 20 + radius * std::sin(a)});
+  }
+  for (int k = 0; k < 40; ++k) round_side.push_back({k + 0.0, -0.3 * (k % 2)});
+  for (int k = 0; k < 40; ++k) round_side.push_back({40 + 0.3 * (k % 2), k + 0.0});
+  const auto parts = split_chain(round_side, {1, true});
+  const auto arc = std::find_if(parts.begin(), parts.end(), [](auto& p) { return p.is_arc; });
+  REQUIRE(arc != parts.end());
+  CHECK(arc->circle.radius == doctest::Approx(20).epsilon(0.05));
+}
+
 TEST_CASE("split_chain__a_stub_of_few_points_is_drawn_by_its_guides") {
   // A band 4 m long with a post's stub on it, 0.4 x 0.5 m, its corners cut by the triangulation.
   std::vector<EdgeShape> lines{
