@@ -216,11 +216,13 @@ bool is_recess(const OpeningCandidate& c) {
   return c.jambs >= (box.height() > kMostSlender * box.width() ? kEnclosedShare : kOneJamb);
 }
 
-// Steps 3 and 4.
-bool is_opening(const OpeningCandidate& c, const SeenBlocks& blocks, double foot_v) {
+// Steps 3 and 4. A place that nothing was seen through, at the side of a wall, is where that has its border.
+bool is_opening(const OpeningCandidate& c, const SeenBlocks& blocks, const OpenEnds& open,
+                double foot_v) {
   if (std::max(c.bordered, c.framed) < kLeastBordered) return false;
   if (is_seen_through(c, blocks)) return true;
   if (is_recess(c)) return true;
+  if (open.left || open.right) return false;
   const RingBox box = c.shape.box();
   if (box.low.v <= foot_v + kDoorStep_m) return false;
   if (std::max(box.width(), box.height()) > kLargestWindow_m ||
@@ -242,7 +244,7 @@ bool is_foot_of_wall(const OpeningCandidate& c, const OpenEnds& open) {
 OpeningCandidate candidate_of(const WallCells& cells, const OpeningShape& shape) {
   OpeningCandidate out = looked_at(cells, shape);
   const OpenEnds open = open_ends(cells, shape);
-  out.is_opening = is_opening(out, seen_blocks(cells, shape), cells.origin.v) &&
+  out.is_opening = is_opening(out, seen_blocks(cells, shape), open, cells.origin.v) &&
                    !(open.head && open.foot) && !is_foot_of_wall(out, open);
   return out;
 }

@@ -91,14 +91,14 @@ double framed_share(const WallCells& cells, const OpeningShape& shape, Sides sid
 }
 
 OpenEnds open_ends(const WallCells& cells, const OpeningShape& shape) {
-  size_t steps[2] = {0, 0}, outside[2] = {0, 0};
+  size_t steps[4] = {0, 0, 0, 0}, outside[4] = {0, 0, 0, 0};  // foot, head, left, right
   walk(shape, Sides::kAll, [&](const Vec2& p, const Vec2& outward) {
-    if (std::fabs(outward.v) < kAcross) return;
-    const size_t end = outward.v > 0;
+    const size_t end = std::fabs(outward.v) < kAcross ? 2 + (outward.u > 0) : outward.v > 0;
     ++steps[end];
     outside[end] += beside(cells, p, outward) == Beside::kOutside;
   });
-  return {2 * outside[1] > steps[1], 2 * outside[0] > steps[0]};
+  const auto is_open = [&](size_t end) { return 2 * outside[end] > steps[end]; };
+  return {is_open(1), is_open(0), is_open(2), is_open(3)};
 }
 
 double relief_share(const WallCells& cells, const OpeningShape& shape) {

@@ -35,10 +35,10 @@ double bordered_share(const WallCells& cells, const OpeningShape& shape, Sides s
 /// Share of the length of these sides, the wall's border included but for its foot, beyond which the wall is as broad
 /// as a pier, 0 without such sides: openings are framed, and where a wall ends nothing frames what lies beside it.
 double framed_share(const WallCells& cells, const OpeningShape& shape, Sides sides = Sides::kAll);
-/// At which ends of a shape the wall ends, along most of them. At both: it parts two pieces of the wall, dormers or
-/// wings, and is no opening of either.
+/// At which ends and sides of a shape the wall ends, along most of them. At head and foot: it parts two pieces of the
+/// wall, dormers or wings, and is no opening of either.
 struct OpenEnds {
-  bool head = false, foot = false;
+  bool head = false, foot = false, left = false, right = false;
 };
 OpenEnds open_ends(const WallCells& cells, const OpeningShape& shape);
 /// Share of its border along which relief is what comes first outside it.

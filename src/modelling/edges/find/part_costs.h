@@ -34,7 +34,8 @@ struct PartCost {
 };
 
 /// Of the part from `first` to `last`, of which these are the points: the cheapest of a line, a guide and an arc.
-PartCost cost_of(const PartCosts& s, const ChainMoments::Stretch& points, size_t first, size_t last);
+PartCost cost_of(const PartCosts& s, const ChainMoments::Stretch& points, size_t first,
+                 size_t last);
 PartCost cost_of(const PartCosts& s, size_t first, size_t last);
 
 /// Angle swept about the centre from the first over the middle to the last point; sign by sense.

@@ -139,6 +139,18 @@ TEST_CASE("find_openings__what_lies_deep_behind_a_strip_was_seen_beside_it") {
   check_box(found[0], 4, 2, 2.4, 2.4);
 }
 
+TEST_CASE("find_openings__an_empty_place_at_the_side_of_a_wall_is_where_that_ends") {
+  PaintedWall wall;
+  wall.with(11, 3, 1, 1.5, WallState::kEmpty);
+  CHECK(wall.openings().empty());
+  // Seen through it is one, and so is an empty one within the wall, beside a pier of 15 cm.
+  wall.with(11, 3, 1, 1.5, WallState::kThrough);
+  CHECK(wall.openings().size() == 1);
+  PaintedWall pier;
+  pier.with(10.85, 3, 1, 1.5, WallState::kEmpty);
+  CHECK(pier.openings().size() == 1);
+}
+
 TEST_CASE("find_openings__what_wall_does_not_surround_needs_to_be_seen_through") {
   // Empty, with something before the wall to its left.
   CHECK(PaintedWall()

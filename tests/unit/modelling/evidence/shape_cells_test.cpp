@@ -115,6 +115,12 @@ TEST_CASE("open_ends__tell_gaps_between_dormers_from_windows_and_doors") {
   CHECK((gap.head && gap.foot));
   CHECK((!window.head && window.foot));
   CHECK((!inside.head && !inside.foot));
+  CHECK((!inside.left && !inside.right && !gap.left && !gap.right));
+  paint(cells, {48, 25, 55, 35}, WallState::kEmpty);
+  paint(cells, {5, 25, 12, 35}, WallState::kEmpty);
+  const OpenEnds right = open_ends(cells, rectangle(48, 55, 25, 35)),
+                 left = open_ends(cells, rectangle(5, 12, 25, 35));
+  CHECK((right.right && !right.left && left.left && !left.right));
 }
 
 TEST_CASE("framed_share__of_steep_sides_is_that_of_the_jambs_alone") {
