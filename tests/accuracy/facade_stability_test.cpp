@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cloud/select.h"
+#include "facade_axes.h"
 #include "facade_truth.h"
 #include "formats/formats.h"
 #include "labelled_street.h"
@@ -153,22 +154,6 @@ Model modelled(const CloudPtr& cloud, uint64_t seed) {
   RansacSettings settings;
   if (seed != 0) settings.draw.seed = seed;
   return model_facade(segment_ransac(cloud, settings, task), FacadeSettings{}, task);
-}
-
-/// The largest wall of a model stands for the truth's first, whose axes all is compared in.
-FacadeTruth axes_of_largest(const Model& model) {
-  FacadeTruth out;
-  const Face* largest = nullptr;
-  for (const Face& face : model.faces)
-    if (model.parts[face.part].part_class == part_class::kWall &&
-        (largest == nullptr || face.area_m2 > largest->area_m2))
-      largest = &face;
-  if (largest == nullptr) return out;
-  TruthWall& wall = out.walls.emplace_back();
-  const WallAxes axes(largest->plane,
-                      model.vertices[model.corners[model.rings[largest->first_ring].first]]);
-  wall.origin = axes.origin, wall.along = axes.u, wall.up = axes.v, wall.normal = axes.n;
-  return out;
 }
 
 Model moved_back(Model model, const Motion& by) {
