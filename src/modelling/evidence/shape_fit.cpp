@@ -120,6 +120,20 @@ FittedShape climbed(const Window& window, OpeningShape start, const Vec2& middle
   return best;
 }
 
+// Where other kinds start from a box that was found. The largest box in a triangle is half as wide and half as high,
+// wherever its apex is: over the middle, or over an end as under a verge.
+std::vector<OpeningShape> starts_of(ShapeKind kind, const RingBox& box) {
+  std::vector<OpeningShape> out{shape_in(kind, box)};
+  if (kind != ShapeKind::kTriangle) return out;
+  for (const double apex : {0.0, 0.5, 1.0}) {
+    const double left = box.low.u - apex * box.width(), right = left + 2 * box.width();
+    out.push_back(
+        {kind,
+         {left, right, box.low.v, box.low.v + 2 * box.height(), left + apex * (right - left), 0}});
+  }
+  return out;
+}
+
 // Of piers too narrow to be broad that part a shape.
 size_t pier_cells(const WallCells& cells, const OpeningShape& shape) {
   const RingBox box = shape.box();
@@ -176,12 +190,13 @@ FittedShape fitted_shape(const WallCells& cells, std::span<const uint8_t> taken,
   const RingBox grown = best.shape.box();
   const double straight = best.score;
   for (const ShapeKind kind : kOtherKinds)
-    for (const RingBox& from : {start, grown}) {
-      const FittedShape other = climbed_from(shape_in(kind, from));
-      if (other.score > best.score && other.score > weights.clearly * straight &&
-          (is_head_seen ? is_head_seen(other.shape) : has_seen_head(cells, other.shape)))
-        best = other;
-    }
+    for (const RingBox& box_from : {start, grown})
+      for (const OpeningShape& from : starts_of(kind, box_from)) {
+        const FittedShape other = climbed_from(from);
+        if (other.score > best.score && other.score > weights.clearly * straight &&
+            (is_head_seen ? is_head_seen(other.shape) : has_seen_head(cells, other.shape)))
+          best = other;
+      }
   return best;
 }
 

@@ -96,6 +96,36 @@ TEST_CASE("fitted_shape__fills_a_triangle_from_its_largest_box_however_fine_the_
   }
 }
 
+TEST_CASE("fitted_shape__fills_a_flat_triangle_under_a_verge_of_few_cells") {
+  // As cells of a scanned gable have it: a cell with a point of the wall is none of the opening.
+  constexpr uint32_t kRows[] = {11, 9, 6, 4, 1}, kFoot = 40, kSide = 50;
+  for (const bool is_left : {true, false}) {
+    CAPTURE(is_left);
+    WallCells cells = painted::cells_of(120, 100);
+    // The verge: two cells of wall over the opening, the outside beyond them.
+    for (uint32_t r = kFoot; r < 60; ++r)
+      for (uint32_t c = 30; c < 80; ++c) {
+        const double along = is_left ? c - double{kSide} : double{kSide} - c - 1;
+        if (r - double{kFoot} > 7 - along / 1.9)
+          cells.states[size_t{r} * 120 + c] = WallState::kOutside;
+      }
+    const auto paint = [&](uint32_t from, uint32_t to, uint32_t row) {
+      painted::paint(cells, {from, row, to, row + 1}, WallState::kThrough);
+    };
+    for (uint32_t k = 0; k < std::size(kRows); ++k)
+      is_left ? paint(kSide, kSide + kRows[k], kFoot + k)
+              : paint(kSide - kRows[k], kSide, kFoot + k);
+    const double low = is_left ? kSide : kSide - 12.0, high = low + 12;
+    const FittedShape fitted = found_in(
+        cells,
+        painted::rectangle(is_left ? low : high - 9, is_left ? low + 9 : high, kFoot, kFoot + 2.0));
+    CHECK(fitted.shape.kind == ShapeKind::kTriangle);
+    const OpeningShape truth{ShapeKind::kTriangle,
+                             {low, high, kFoot, kFoot + 5.5, is_left ? low : high}};
+    CHECK(mean_distance(cells, fitted.shape, truth) < 1);
+  }
+}
+
 TEST_CASE("fitted_shape__a_rectangle_stays_a_rectangle_in_two_hundred_rasters") {
   RandomStream random(9, 31);
   for (uint64_t seed = 1; seed <= 200; ++seed) {
