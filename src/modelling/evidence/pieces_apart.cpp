@@ -8,10 +8,10 @@
 #include <optional>
 #include <utility>
 
-#include "modelling/evidence/coplanar.h"
 #include "modelling/evidence/places.h"
 #include "modelling/evidence/plane_roles.h"
 #include "modelling/evidence/recesses.h"
+#include "modelling/plane/coplanar.h"
 #include "segment/labels/label_groups.h"
 
 namespace jalon {

@@ -6,114 +6,28 @@
 #include <cmath>
 
 #include "base/parallel.h"
-#include "modelling/evidence/cell_regions.h"
-#include "modelling/evidence/cell_sums.h"
 #include "modelling/evidence/places.h"
+#include "modelling/evidence/plane_placement.h"
 
 namespace jalon {
 
 namespace {
 
-constexpr double kSameWay = 0.985;    // cosine of 10 degrees
-constexpr double kSparseShare = 0.2;  // measured, of what its border encloses: panes here and there
-constexpr double kRoomDepth_m = 12;   // rooms are no deeper
+constexpr double kSameWay = 0.985;   // cosine of 10 degrees
+constexpr double kRoomDepth_m = 12;  // rooms are no deeper
 // Of a room's wall: straight behind the front's measured wall, and within its border.
 constexpr double kBehindWallShare = 0.08, kWithinShare = 0.7;
 // Of a room's wall. Measured on the grammar: rooms 0.29 and more, back walls of arcades and loggias below 0.02.
 constexpr double kBehindPanesShare = 0.1;
 constexpr double kShopFrontShare = 0.15;  // of the area behind an arcade; rooms have none
-constexpr double kBroad_m = 0.6, kBroadShare = 0.7;  // less than a pier between two windows
-constexpr double kTall_m = 2, kTallShare = 0.5;      // parapets are no taller than 1.3 m
+constexpr double kBroad_m = 0.6;          // less than a pier between two windows
+constexpr double kTallShare = 0.5;
 constexpr double kCoverShare = 0.6;  // of pilasters: cells of the wall that they are relief of
 constexpr double kCornice_m = 0.6;   // strips of a wall stand no farther before it
-constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
 constexpr double kFilledShare = 0.5;
 constexpr double kGlimpsedShare = 0.2;  // of an opening's cells: past a bay window little is seen
 constexpr double kHidingShare = 0.2;    // sills and piers of a bay window, of what lies behind it
 constexpr int kHiddenProbes = 16;       // along each side of an opening
-
-bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
-  const uint32_t k = kWellInside;
-  if (c < k || r < k || c + k >= cells.columns || r + k >= cells.rows) return false;
-  for (const auto& [dc, dr] : {std::pair{0u, k}, {2 * k, k}, {k, 0u}, {k, 2 * k}, {k, k}})
-    if (cells.at(c + dc - k, r + dr - k) != WallState::kOn) return false;
-  return true;
-}
-
-double share_of(size_t part, size_t all) {
-  return all > 0 ? static_cast<double>(part) / static_cast<double>(all) : 0;
-}
-
-// Whether a place before a plane lies in an opening of the wall. Walls have windows; gates and shutters, which may be
-// as large, have none: a plane with openings of its own fills framed openings only, any other fills what it lies in.
-// A cell with a point of the wall ends an opening: frames stand in its rim.
-bool is_in_opening(const WallEvidence& wall, const Vec2& at, bool only_framed) {
-  const double rim_m = wall.cells.cell_m;
-  return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
-    return opening.is_opening && (!only_framed || is_enclosed(opening)) &&
-           opening.shape.box().grown(rim_m).holds(at) && opening.shape.grown(rim_m).holds(at);
-  });
-}
-
-// Where the cells of a plane lie to a wall, as shares of its measured ones.
-struct Placement {
-  double in_openings = 0, behind_wall = 0, within = 0, relief = 0, depth_m = 0;
-};
-
-Placement placement_of(const WallEvidence& plane, const WallEvidence& wall) {
-  const bool is_windowed = plane.has_framed_openings();
-  size_t on = 0, openings = 0, behind = 0, within = 0, relief = 0;
-  double depths = 0;
-  for_measured(plane.cells, [&](const Vec3& p) {
-    const Foot foot(wall.cells, p);
-    ++on;
-    depths += foot.depth_m;
-    if (!foot.is_on_map) return;
-    within += wall.cells.at(foot.column, foot.row) != WallState::kOutside;
-    relief += wall.cells.at(foot.column, foot.row) == WallState::kRelief;
-    behind += is_well_inside(wall.cells, foot.column, foot.row);
-    openings += is_in_opening(wall, foot.at, is_windowed);
-  });
-  if (on == 0) return {};
-  return {share_of(openings, on), share_of(behind, on), share_of(within, on), share_of(relief, on),
-          depths / static_cast<double>(on)};
-}
-
-// Whether somewhere a square of this side is measured: walls are broad somewhere, surrounds and cornices nowhere.
-bool is_broad(const WallCells& cells, double side_m) {
-  const auto side = static_cast<uint32_t>(std::ceil(side_m / cells.cell_m));
-  const CellSums<int32_t> on(cells.columns, cells.rows, [&](size_t k) {
-    return static_cast<int32_t>(cells.states[k] == WallState::kOn);
-  });
-  const auto least = static_cast<int32_t>(kBroadShare * side * side);
-  for (uint32_t r = 0; r + side <= cells.rows; ++r)
-    for (uint32_t c = 0; c + side <= cells.columns; ++c)
-      if (on.of(c, r, c + side, r + side) >= least) return true;
-  return false;
-}
-
-// Share of the measured cells in connected pieces as tall as a storey's wall: parapets of balconies are not.
-double tall_share(const WallCells& cells) {
-  std::vector<uint32_t> on;
-  for (size_t k = 0; k < cells.states.size(); ++k)
-    if (cells.states[k] == WallState::kOn) on.push_back(static_cast<uint32_t>(k));
-  CellRegions regions(cells.columns, cells.rows);
-  size_t tall = 0;
-  for (const std::vector<uint32_t>& region : regions.of(on)) {
-    const auto [low, high] = std::minmax_element(region.begin(), region.end());
-    const uint32_t rows = *high / cells.columns - *low / cells.columns + 1;
-    if (rows * cells.cell_m >= kTall_m) tall += region.size();
-  }
-  return share_of(tall, on.size());
-}
-
-bool is_sparse(const WallEvidence& plane) {
-  return plane.measured_m2 < kSparseShare * plane.gross_m2;
-}
-
-double area_of(const OpeningCandidate& opening, const WallCells& cells) {
-  return opening.inside.all() * cells.cell_m * cells.cell_m;
-}
 
 bool has_shop_fronts(const WallEvidence& plane) {
   double through_m2 = 0;
@@ -147,7 +61,7 @@ bool is_behind_walls(const std::vector<WallEvidence>& all, const std::vector<uin
     within += is_within;
     behind += is_behind;
   });
-  return share_of(within, on) >= kWithinShare && share_of(behind, on) >= kBehindWallShare;
+  return ratio_of(within, on) >= kWithinShare && ratio_of(behind, on) >= kBehindWallShare;
 }
 
 void tell_rooms(std::vector<WallEvidence>& all, Task& task) {
@@ -165,7 +79,7 @@ void tell_rooms(std::vector<WallEvidence>& all, Task& task) {
 }
 
 // Step 2.
-PlaneRole role_of(const Placement& p, const WallEvidence& plane, const CellSetting& setting) {
+PlaneRole role_of(const PlanePlacement& p, const WallEvidence& plane, const CellSetting& setting) {
   const WallCells& cells = plane.cells;
   const double on_m = cells.on_m / 2;
   if (p.within < kWithinShare) return PlaneRole::kWall;
@@ -198,7 +112,7 @@ bool is_behind_panes(const WallEvidence& plane, const std::vector<const WallEvid
       return state == WallState::kOn || state == WallState::kStrip;
     });
   });
-  return share_of(behind, on) >= kBehindPanesShare;
+  return ratio_of(behind, on) >= kBehindPanesShare;
 }
 
 // Whether a plane lies a little behind the openings of walls, taken together: panes and leaves of one depth in
@@ -215,7 +129,7 @@ bool fills_openings(const WallEvidence& plane, const std::vector<const WallEvide
       return is_in_opening(*wall, foot.at, is_windowed);
     });
   });
-  return share_of(inside, on) >= kFillingShare;
+  return ratio_of(inside, on) >= kFillingShare;
 }
 
 // Two explanations of a lattice as far before a plane that has windows as things are fixed to walls: a wall whose
@@ -225,7 +139,7 @@ bool is_lattice_on(const WallEvidence& lattice, const WallEvidence& wall,
   if (!wall.is_wall() || !wall.has_framed_openings() || wall.measured_m2 <= lattice.measured_m2 ||
       dot(wall.cells.frame.normal, lattice.cells.frame.normal) < kSameWay)
     return false;
-  const Placement p = placement_of(lattice, wall);
+  const PlanePlacement p = placement_of(lattice, wall);
   return p.within >= kWithinShare && p.depth_m < -wall.cells.on_m / 2 &&
          p.depth_m >= -setting.proud_m;
 }
@@ -277,7 +191,7 @@ bool is_hidden_by(const WallCells& cells, const OpeningShape& shape, const WallC
       within += state != WallState::kOutside;
       measured += state == WallState::kOn;
     }
-  return share_of(within, all) >= kFilledShare && share_of(measured, all) >= kHidingShare;
+  return ratio_of(within, all) >= kFilledShare && ratio_of(measured, all) >= kHidingShare;
 }
 
 // Whether a hole is the place of a larger wall that goes on beyond this one: cornice and quoins in this one's plane

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "modelling/evidence/coplanar.h"
 #include "modelling/evidence/pieces_apart.h"
 #include "modelling/evidence/plane_roles.h"
+#include "modelling/plane/coplanar.h"
 #include "unit/modelling/layers.h"
 
 using namespace jalon;

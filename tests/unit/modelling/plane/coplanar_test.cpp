@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "modelling/evidence/coplanar.h"
+#include "modelling/plane/coplanar.h"
 #include "unit/modelling/walls.h"
 
 using namespace jalon;

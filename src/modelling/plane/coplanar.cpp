@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Jalon authors
 // SPDX-License-Identifier: Apache-2.0
-#include "modelling/evidence/coplanar.h"
+#include "modelling/plane/coplanar.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Jalon authors
+// SPDX-License-Identifier: Apache-2.0
+#include "modelling/evidence/plane_placement.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modelling/evidence/cell_regions.h"
+#include "modelling/evidence/cell_sums.h"
+#include "modelling/evidence/places.h"
+
+namespace jalon {
+
+namespace {
+
+constexpr double kSparseShare = 0.2;  // measured, of what its border encloses: panes here and there
+constexpr double kBroadShare = 0.7;
+constexpr double kTall_m = 2;        // parapets are no taller than 1.3 m
+constexpr uint32_t kWellInside = 2;  // cells from a wall cell to others: away from its borders
+
+}  // namespace
+
+bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
+  const uint32_t k = kWellInside;
+  if (c < k || r < k || c + k >= cells.columns || r + k >= cells.rows) return false;
+  for (const auto& [dc, dr] : {std::pair{0u, k}, {2 * k, k}, {k, 0u}, {k, 2 * k}, {k, k}})
+    if (cells.at(c + dc - k, r + dr - k) != WallState::kOn) return false;
+  return true;
+}
+
+// A cell with a point of the wall ends an opening: frames stand in its rim.
+bool is_in_opening(const WallEvidence& wall, const Vec2& at, bool only_framed) {
+  const double rim_m = wall.cells.cell_m;
+  return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
+    return opening.is_opening && (!only_framed || is_enclosed(opening)) &&
+           opening.shape.box().grown(rim_m).holds(at) && opening.shape.grown(rim_m).holds(at);
+  });
+}
+
+PlanePlacement placement_of(const WallEvidence& plane, const WallEvidence& wall) {
+  const bool is_windowed = plane.has_framed_openings();
+  size_t on = 0, openings = 0, behind = 0, within = 0, relief = 0;
+  double depths = 0;
+  for_measured(plane.cells, [&](const Vec3& p) {
+    const Foot foot(wall.cells, p);
+    ++on;
+    depths += foot.depth_m;
+    if (!foot.is_on_map) return;
+    within += wall.cells.at(foot.column, foot.row) != WallState::kOutside;
+    relief += wall.cells.at(foot.column, foot.row) == WallState::kRelief;
+    behind += is_well_inside(wall.cells, foot.column, foot.row);
+    openings += is_in_opening(wall, foot.at, is_windowed);
+  });
+  if (on == 0) return {};
+  return {ratio_of(openings, on), ratio_of(behind, on), ratio_of(within, on), ratio_of(relief, on),
+          depths / static_cast<double>(on)};
+}
+
+bool is_broad(const WallCells& cells, double side_m) {
+  const auto side = static_cast<uint32_t>(std::ceil(side_m / cells.cell_m));
+  const CellSums<int32_t> on(cells.columns, cells.rows, [&](size_t k) {
+    return static_cast<int32_t>(cells.states[k] == WallState::kOn);
+  });
+  const auto least = static_cast<int32_t>(kBroadShare * side * side);
+  for (uint32_t r = 0; r + side <= cells.rows; ++r)
+    for (uint32_t c = 0; c + side <= cells.columns; ++c)
+      if (on.of(c, r, c + side, r + side) >= least) return true;
+  return false;
+}
+
+double tall_share(const WallCells& cells) {
+  std::vector<uint32_t> on;
+  for (size_t k = 0; k < cells.states.size(); ++k)
+    if (cells.states[k] == WallState::kOn) on.push_back(static_cast<uint32_t>(k));
+  CellRegions regions(cells.columns, cells.rows);
+  size_t tall = 0;
+  for (const std::vector<uint32_t>& region : regions.of(on)) {
+    const auto [low, high] = std::minmax_element(region.begin(), region.end());
+    const uint32_t rows = *high / cells.columns - *low / cells.columns + 1;
+    if (rows * cells.cell_m >= kTall_m) tall += region.size();
+  }
+  return ratio_of(tall, on.size());
+}
+
+bool is_sparse(const WallEvidence& plane) {
+  return plane.measured_m2 < kSparseShare * plane.gross_m2;
+}
+
+}  // namespace jalon
