@@ -10,6 +10,7 @@
 #include "modelling/evidence/cell_decomposition.h"
 #include "modelling/evidence/contour_holes.h"
 #include "modelling/evidence/drawn_contour.h"
+#include "modelling/evidence/places.h"
 #include "modelling/evidence/plane_roles.h"
 #include "modelling/evidence/recesses.h"
 #include "modelling/evidence/settled_openings.h"
@@ -20,6 +21,8 @@
 namespace jalon {
 
 namespace {
+
+constexpr double kSameWay_evidence = 0.985;  // cosine of 10 degrees
 
 std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates,
                                     bool with_narrow) {
@@ -40,6 +43,39 @@ std::vector<OpeningShape> covered_openings(const WallEvidence& wall) {
         std::max(box.width(), box.height()) <= kLargestWindow_m)
       out.push_back(o.shape);
   }
+  return out;
+}
+
+// Whether a place of a wall lies behind what was measured of another one or behind its openings, no deeper than things
+// that are fixed to a wall stand out.
+bool is_behind_wall(const std::vector<const WallEvidence*>& others, const Vec3& p) {
+  return std::any_of(others.begin(), others.end(), [&](const WallEvidence* other) {
+    const Foot foot(other->cells, p);
+    if (!foot.is_on_map || foot.depth_m <= 0 || foot.depth_m > CellSetting{}.proud_m) return false;
+    return is_wall(other->cells.at(foot.column, foot.row)) ||
+           std::any_of(other->openings.begin(), other->openings.end(), [&](const auto& opening) {
+             return opening.is_opening && opening.shape.holds(foot.at);
+           });
+  });
+}
+
+// The cells that a wall is drawn by: relief that is a wall with windows of its own, as a house that stands forward by a
+// hand's breadth is, lies beyond its border. Areas count once.
+WallCells drawn_cells(const std::vector<WallEvidence>& all, const WallEvidence& wall) {
+  WallCells out = wall.cells;
+  std::vector<const WallEvidence*> others;
+  for (const WallEvidence& other : all)
+    if (&other != &wall && other.is_wall() && other.has_framed_openings() &&
+        dot(other.cells.frame.normal, wall.cells.frame.normal) >= kSameWay_evidence)
+      others.push_back(&other);
+  if (others.empty()) return out;
+  for (uint32_t r = 0; r < out.rows; ++r)
+    for (uint32_t c = 0; c < out.columns; ++c) {
+      WallState& state = out.states[size_t{r} * out.columns + c];
+      if (state != WallState::kRelief) continue;
+      const Vec2 at = out.origin + Vec2{c + 0.5, r + 0.5} * out.cell_m;
+      if (is_behind_wall(others, out.frame.lift(at))) state = WallState::kOutside;
+    }
   return out;
 }
 
@@ -116,7 +152,8 @@ ContourMaker contours_by(std::vector<WallEvidence>& evidence) {
                     (shows(plain, shapes_of(wall.openings, true)) ||
                      shows(plain, shapes_of(wall.openings, false)));
     if (!wall.is_drawn()) return plain;
-    return drawn_contour(points, wall.openings, plain, wall.cells, setting, foreign, task);
+    return drawn_contour(points, wall.openings, plain, drawn_cells(evidence, wall), setting,
+                         foreign, task);
   };
 }
 

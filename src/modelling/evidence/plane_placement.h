@@ -6,6 +6,11 @@
 
 namespace jalon {
 
+inline constexpr double kSameWay = 0.985;    ///< cosine of 10 degrees: of parallel planes
+inline constexpr double kWithinShare = 0.7;  ///< of a plane, within the border of another
+inline constexpr double kBroad_m = 0.6;      ///< less than a pier between two windows
+inline constexpr double kTallShare = 0.5;
+
 /// Where the measured cells of a plane lie to a wall, as shares of them.
 struct PlanePlacement {
   double in_openings = 0;  ///< framed ones alone where the plane has such openings itself
@@ -17,6 +22,9 @@ struct PlanePlacement {
 
 /// O(cells, 20 000 at most, x openings).
 PlanePlacement placement_of(const WallEvidence& plane, const WallEvidence& wall);
+
+/// Share of the measured cells of a plane that have measured places of the wall to the left and right, above and below.
+double surrounded_share(const WallEvidence& plane, const WallEvidence& wall);
 
 /// Away from the borders of what was measured.
 bool is_well_inside(const WallCells& cells, uint32_t column, uint32_t row);
@@ -33,6 +41,20 @@ double tall_share(const WallCells& cells);
 
 /// Hardly measured, of what its border encloses: panes here and there.
 bool is_sparse(const WallEvidence& plane);
+
+/// Whether a plane that lies so to a wall lies before it as what covers one does.
+bool is_cover_at(const PlanePlacement& placement, const WallEvidence& plane,
+                 const CellSetting& setting);
+
+/// Whether a plane is the wall of a house that stands forward by as much as things are fixed to walls: broad and tall,
+/// with windows of its own, and nothing of the other wall in its place. What covers a wall leaves that in sight in
+/// between.
+bool is_house_before(const WallEvidence& plane, const WallEvidence& wall);
+
+/// Two explanations of a plane in pieces between windows that it does not frame, before a wall that goes on all about
+/// it: panels of that, or a second wall over it with the same windows once more. The first one needs one wall. Where
+/// the one wall goes on beside the other alone these are two houses.
+bool is_laid_on(const WallEvidence& plane, const WallEvidence& wall, const CellSetting& setting);
 
 inline double area_of(const OpeningCandidate& opening, const WallCells& cells) {
   return opening.inside.all() * cells.cell_m * cells.cell_m;

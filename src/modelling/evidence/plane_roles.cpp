@@ -13,17 +13,13 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSameWay = 0.985;   // cosine of 10 degrees
 constexpr double kRoomDepth_m = 12;  // rooms are no deeper
 // Of a room's wall: straight behind the front's measured wall, and within its border.
-constexpr double kBehindWallShare = 0.08, kWithinShare = 0.7;
+constexpr double kBehindWallShare = 0.08;
 // Of a room's wall. Measured on the grammar: rooms 0.29 and more, back walls of arcades and loggias below 0.02.
 constexpr double kBehindPanesShare = 0.1;
 constexpr double kShopFrontShare = 0.15;  // of the area behind an arcade; rooms have none
-constexpr double kBroad_m = 0.6;          // less than a pier between two windows
-constexpr double kTallShare = 0.5;
-constexpr double kCoverShare = 0.6;  // of pilasters: cells of the wall that they are relief of
-constexpr double kCornice_m = 0.6;   // strips of a wall stand no farther before it
+constexpr double kCornice_m = 0.6;        // strips of a wall stand no farther before it
 constexpr double kFilledShare = 0.5;
 constexpr double kGlimpsedShare = 0.2;  // of an opening's cells: past a bay window little is seen
 constexpr double kHidingShare = 0.2;    // sills and piers of a bay window, of what lies behind it
@@ -79,13 +75,13 @@ void tell_rooms(std::vector<WallEvidence>& all, Task& task) {
 }
 
 // Step 2.
-PlaneRole role_of(const PlanePlacement& p, const WallEvidence& plane, const CellSetting& setting) {
+PlaneRole role_of(const PlanePlacement& p, const WallEvidence& plane, const WallEvidence& wall,
+                  const CellSetting& setting) {
   const WallCells& cells = plane.cells;
   const double on_m = cells.on_m / 2;
   if (p.within < kWithinShare) return PlaneRole::kWall;
   if (p.depth_m < -on_m) {
-    const bool is_pilaster = p.depth_m >= -setting.proud_m && p.relief >= kCoverShare;
-    const bool is_cover = p.depth_m >= -setting.relief_m || is_pilaster;
+    const bool is_cover = is_cover_at(p, plane, setting) && !is_house_before(plane, wall);
     const bool is_strip = p.depth_m >= -kCornice_m && !is_broad(cells, kBroad_m);
     return is_cover || is_strip || is_sparse(plane) || tall_share(cells) < kTallShare
                ? PlaneRole::kRelief
@@ -148,6 +144,7 @@ std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all,
                                          const CellSetting& setting, Task& task) {
   std::vector<size_t> order;
   std::vector<double> explained(all.size(), 0);
+  std::vector<uint8_t> is_laid(all.size(), 0);
   for (size_t s = 0; s < all.size(); ++s) {
     if (all[s].empty() || !all[s].is_wall()) continue;
     task.checkpoint(0);
@@ -157,8 +154,19 @@ std::vector<size_t> by_what_they_explain(const std::vector<WallEvidence>& all,
     });
     explained[s] = is_lattice ? all[s].measured_m2 : explained_m2(all[s]);
   }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](size_t a, size_t b) { return explained[a] > explained[b]; });
+  std::vector<double> least = explained;
+  for (const size_t s : order) {
+    task.checkpoint(0);
+    for (const size_t w : order)
+      if (w != s && explained[w] < least[s] && is_laid_on(all[s], all[w], setting)) {
+        least[s] = explained[w];
+        is_laid[s] = 1;
+      }
+  }
+  // What is laid on a wall comes after it.
+  std::stable_sort(order.begin(), order.end(), [&](size_t a, size_t b) {
+    return least[a] != least[b] ? least[a] > least[b] : is_laid[a] < is_laid[b];
+  });
   return order;
 }
 
@@ -222,14 +230,31 @@ bool ends_at(const WallEvidence& wall, const OpeningCandidate& opening, const Wa
          is_hidden_by(wall.cells, opening.shape, other.cells);
 }
 
-void end_at(WallEvidence& wall, const std::vector<const WallEvidence*>& others, Task& task) {
+// Where a wall stands little before another both have its windows, once each: they are of the wall that frames them,
+// not of that which it covers.
+bool is_of_wall_before(const WallEvidence& before, const OpeningCandidate& opening,
+                       const WallEvidence& wall, const CellSetting& setting) {
+  if (opening.relief < kReliefShare) return false;
+  const RingBox box = opening.shape.box();
+  return std::any_of(before.openings.begin(), before.openings.end(), [&](const auto& other) {
+    if (!other.is_opening || other.framed <= opening.framed) return false;
+    const RingBox there = other.shape.box();
+    const Foot low(wall.cells, before.cells.frame.lift(there.low)),
+        high(wall.cells, before.cells.frame.lift(there.high));
+    return low.depth_m < 0 && low.depth_m >= -setting.proud_m &&
+           overlap(box, {low.at, high.at}) >= kFilledShare;
+  });
+}
+
+void end_at(WallEvidence& wall, const std::vector<const WallEvidence*>& others,
+            const CellSetting& setting, Task& task) {
   for (OpeningCandidate& opening : wall.openings) {
     task.checkpoint(0);
     if (!opening.is_opening) continue;
     opening.ends_at_wall = std::any_of(others.begin(), others.end(), [&](const auto* other) {
       return other != &wall && other->is_wall() && other->has_framed_openings() &&
              dot(other->cells.frame.normal, wall.cells.frame.normal) >= kSameWay &&
-             ends_at(wall, opening, *other);
+             (ends_at(wall, opening, *other) || is_of_wall_before(*other, opening, wall, setting));
     });
     opening.is_opening = !opening.ends_at_wall;
   }
@@ -283,11 +308,11 @@ void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task
     if (fills_openings(plane, parallel)) plane.role = PlaneRole::kFilling;
     for (size_t w = 0; w < parallel.size() && plane.is_wall(); ++w) {
       task.checkpoint(0);
-      plane.role = role_of(placement_of(plane, *parallel[w]), plane, setting);
+      plane.role = role_of(placement_of(plane, *parallel[w]), plane, *parallel[w], setting);
     }
     if (!plane.is_wall()) continue;
     // Surrounds in the place of a wall that explains more are not what fills this one's openings.
-    end_at(plane, walls, task);
+    end_at(plane, walls, setting, task);
     walls.push_back(&plane);
   }
   // 3. Rooms whose windows leave little of the wall before them.
@@ -301,7 +326,7 @@ void tell_roles(std::vector<WallEvidence>& all, const CellSetting& setting, Task
   // 4. Where one wall ends and another begins.
   for (const size_t s : order) forget_ends(all[s]);
   for (const size_t s : order)
-    if (all[s].is_wall()) end_at(all[s], walls, task);
+    if (all[s].is_wall()) end_at(all[s], walls, setting, task);
 }
 
 }  // namespace jalon

@@ -16,10 +16,13 @@ namespace jalon {
 ///    of it, and its openings as far as it frames them. So a lattice of posts comes before the panes in its bays, and
 ///    a wall before the surrounds of its windows, however far apart they stand.
 ///    Timbers and lesenes that frame panels count by what was measured of them alone where more was of a wall with
-///    windows close behind them.
+///    windows close behind them. Panels between windows that they do not frame come after the wall that goes on all
+///    about them, however much of them there is. A house that stands forward by as much as panels do, with windows of
+///    its own in a place where nothing of the other wall is, covers none.
 /// 3. What was taken for an opening but is not framed, and another wall with openings of its own fills it: there the
 ///    one wall ends and the other begins (a house that stands back by a hand's breadth). So it does where hardly
-///    anything was seen through, and such a wall stands before it: a bay window.
+///    anything was seen through, and such a wall stands before it: a bay window. Windows of a house that stands
+///    little before a wall are of the one that frames them.
 ///
 /// Before: cells, openings and areas; after: role, and is_opening of step 3. The same bits for any number of threads.
 /// O(planes^2) looks at up to 20 000 cells each.

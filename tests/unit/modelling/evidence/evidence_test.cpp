@@ -160,3 +160,28 @@ TEST_CASE("contours_by__pieces_of_a_wall_that_go_round_surrounds_do_not_show_its
   for (const ContourPiece& piece : both.drawn.pieces) openings += piece.openings.size();
   CHECK(openings == 3);
 }
+
+TEST_CASE(
+    "contours_by__the_place_of_a_house_that_stands_forward_is_not_drawn_as_the_walls_beside_it") {
+  // A row of houses, 8 cm back, beside one with windows; a lorry before the row, so that its points do not show it.
+  constexpr double kHouse_m = 6, kForward_m = 0.08;
+  std::vector<Vec3> row, forward, lorry;
+  for (const double left : {0.0, 2 * kHouse_m}) add_layer(row, left, 0, kHouse_m, 6, kForward_m);
+  add_layer(forward, kHouse_m, 0, kHouse_m, 6, 0);
+  add_layer(lorry, 1, 2, 2.9, 1.9, -1.5);
+  const auto cut = [](std::vector<Vec3>& points, double left, double foot, double width,
+                      double height) {
+    std::erase_if(points, [&](const Vec3& p) { return in_box(p, left, foot, width, height); });
+  };
+  cut(row, 1.2, 2.2, 2.5, 1.2);
+  for (const double window : {1.0, 3.5}) {
+    cut(row, 2 * kHouse_m + window, 1, 1.2, 1.6);
+    cut(forward, kHouse_m + window, 1, 1.2, 1.6);
+  }
+  const BothContours both({row, forward, lorry});
+  CHECK(both.evidence[0].is_drawn());
+  CHECK(both.evidence[1].is_wall());
+  double area_m2 = 0;
+  for (const ContourPiece& piece : both.drawn.pieces) area_m2 += piece.area_m2;
+  CHECK(area_m2 < 2 * kHouse_m * 6 + 1);
+}

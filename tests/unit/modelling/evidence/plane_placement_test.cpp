@@ -79,3 +79,26 @@ TEST_CASE("is_sparse__of_a_few_places_within_a_border_and_not_of_a_wall") {
   CHECK(is_sparse(evidence_of({places})[0]));
   CHECK(!is_sparse(evidence_of({wall_with_window()})[0]));
 }
+
+TEST_CASE(
+    "surrounded_share__of_a_panel_in_the_middle_is_all_and_of_what_stands_beside_a_wall_none") {
+  std::vector<Vec3> wall = wall_with_window();
+  cut(wall, 4, 1, 1.5, 4);
+  const auto evidence = evidence_of(
+      {wall, layer(4, 1, 1.5, 4, -0.05), layer(6, 0, 4, 6, -0.05), layer(0, 6, 6, 2, 0.1)});
+  CHECK(surrounded_share(evidence[1], evidence[0]) == doctest::Approx(1));
+  CHECK(surrounded_share(evidence[2], evidence[0]) == 0);
+  CHECK(surrounded_share(evidence[3], evidence[0]) == 0);
+}
+
+TEST_CASE(
+    "is_house_before__holds_for_a_wall_with_windows_in_a_place_of_its_own_and_for_no_surround") {
+  std::vector<Vec3> house = wall_with_window(), row = layer(-6, 0, 6, 6, 0.08);
+  add_layer(row, 6, 0, 6, 6, 0.08);
+  const auto beside = evidence_of({house, row});
+  CHECK(is_house_before(beside[0], beside[1]));
+  std::vector<Vec3> surround = layer(1.8, 1.8, 1.6, 2, -0.05);
+  cut(surround, 2, 2, 1.2, 1.6);
+  const auto on_it = evidence_of({house, surround});
+  CHECK(!is_house_before(on_it[1], on_it[0]));
+}

@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include "modelling/evidence/evidence.h"
+#include "modelling/evidence/plane_roles.h"
 #include "unit/modelling/layers.h"
 
 using namespace jalon;
@@ -214,6 +215,59 @@ TEST_CASE("tell_roles__timbers_that_frame_panels_are_relief_of_the_wall_with_the
   const auto lattice = evidence_of({panels, timbers});
   CHECK(lattice[0].role == PlaneRole::kFilling);
   CHECK(lattice[1].role == PlaneRole::kWall);
+}
+
+TEST_CASE(
+    "tell_roles__panels_between_the_windows_of_a_wall_are_its_relief_however_large_they_are") {
+  // Six axes and four storeys of windows over a ground floor; panels over and under them cover most of the wall.
+  constexpr double kBay_m = 2, kPier_m = 0.3, kStorey_m = 2.9, kWindow_m = 1.1, kGround_m = 3;
+  constexpr int kAxes = 6, kStoreys = 4;
+  constexpr double kPanel_m = kStorey_m - kWindow_m;
+  for (const double proud_m : {0.03, 0.05, 0.08}) {
+    CAPTURE(proud_m);
+    std::vector<Vec3> wall, panels;
+    add_layer(wall, 0, 0, kAxes * kBay_m + kPier_m, kGround_m + kStoreys * kStorey_m + 1, 0);
+    for (int axis = 0; axis < kAxes; ++axis) {
+      const double left = kPier_m + axis * kBay_m, width = kBay_m - kPier_m;
+      cut(wall, left, 0, width, 2.4);
+      for (int storey = 0; storey < kStoreys; ++storey) {
+        const double foot = kGround_m + storey * kStorey_m;
+        cut(wall, left, foot, width, kStorey_m);
+        add_layer(panels, left, foot, width, kPanel_m, -proud_m);
+      }
+    }
+    const auto evidence = evidence_of({wall, panels});
+    CHECK(explained_m2(evidence[1]) > explained_m2(evidence[0]));
+    CHECK(evidence[0].role == PlaneRole::kWall);
+    CHECK(evidence[1].role == PlaneRole::kRelief);
+    CHECK(openings_of(evidence[0]) == kAxes * kStoreys);
+  }
+}
+
+TEST_CASE("tell_roles__a_house_before_the_wall_that_goes_on_on_both_sides_is_a_wall") {
+  std::vector<Vec3> row = house(0, 0.08), right = house(15, 0.08), house_between;
+  row.insert(row.end(), right.begin(), right.end());
+  add_layer(house_between, 6, 0, 9, 9, 0);
+  for (const double foot : {1.0, 4.0, 6.6})
+    for (const double left : {6.8, 9.2, 11.6}) cut(house_between, left, foot, 1.2, 1.6);
+  const auto evidence = evidence_of({row, house_between});
+  CHECK(evidence[0].role == PlaneRole::kWall);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  CHECK(openings_of(evidence[0]) == 4);
+  CHECK(openings_of(evidence[1]) == 9);
+}
+
+TEST_CASE("tell_roles__a_house_little_before_its_neighbours_on_both_sides_is_no_relief_of_them") {
+  for (const double forward_m : {0.05, 0.08}) {
+    CAPTURE(forward_m);
+    std::vector<Vec3> row = house(0, forward_m), right = house(12, forward_m);
+    row.insert(row.end(), right.begin(), right.end());
+    const auto evidence = evidence_of({row, house(6, 0)});
+    CHECK(evidence[0].role == PlaneRole::kWall);
+    CHECK(evidence[1].role == PlaneRole::kWall);
+    CHECK(openings_of(evidence[0]) == 4);
+    CHECK(openings_of(evidence[1]) == 2);
+  }
 }
 
 TEST_CASE("tell_roles__lesenes_are_relief_as_far_before_the_wall_as_things_are_fixed_to_it") {
