@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "modelling/evidence/shape_fit.h"
 
@@ -32,12 +33,37 @@ ShapeWeights weights_for(double expected) {
   return out;
 }
 
-WallState state_at(const WallCells& cells, const Vec2& p) {
-  const double c = (p.u - cells.origin.u) / cells.cell_m, r = (p.v - cells.origin.v) / cells.cell_m;
-  if (!(c >= 0 && r >= 0 && c < cells.columns && r < cells.rows)) return WallState::kOutside;
-  const WallState state = cells.at(static_cast<uint32_t>(c), static_cast<uint32_t>(r));
-  return is_wall(state) ? WallState::kThrough : state;  // its points say where it is
-}
+// What coarse cells say of places without a point of the wall. Where they have such points these say where it is: in
+// strips too, of the wall between a window and the panel below it; other strips are of frames and leaves.
+class CoarseStates {
+ public:
+  CoarseStates(const WallCells& cells, std::span<const Vec2> solid) : cells_(cells) {
+    for (const Vec2& p : solid)
+      if (const auto k = index_of(p); k && cells.states[*k] == WallState::kStrip)
+        own_strips_.push_back(*k);
+    std::sort(own_strips_.begin(), own_strips_.end());
+  }
+  WallState at(const Vec2& p) const {
+    const auto k = index_of(p);
+    if (!k) return WallState::kOutside;
+    const WallState state = cells_.states[*k];
+    const bool is_own =
+        is_wall(state) || (state == WallState::kStrip &&
+                           std::binary_search(own_strips_.begin(), own_strips_.end(), *k));
+    return is_own ? WallState::kThrough : state;
+  }
+
+ private:
+  std::optional<size_t> index_of(const Vec2& p) const {
+    const double c = (p.u - cells_.origin.u) / cells_.cell_m,
+                 r = (p.v - cells_.origin.v) / cells_.cell_m;
+    if (!(c >= 0 && r >= 0 && c < cells_.columns && r < cells_.rows)) return {};
+    return static_cast<size_t>(r) * cells_.columns + static_cast<size_t>(c);
+  }
+
+  const WallCells& cells_;
+  std::vector<size_t> own_strips_;
+};
 
 // The window in cells of about half a spacing.
 WallCells fine_cells(const RingBox& window, const WallCells& cells, std::span<const Vec2> solid) {
@@ -48,10 +74,11 @@ WallCells fine_cells(const RingBox& window, const WallCells& cells, std::span<co
                         std::sqrt(window.width() * window.height() / kMostFineCells));
   out.columns = static_cast<uint32_t>(std::ceil(window.width() / out.cell_m));
   out.rows = static_cast<uint32_t>(std::ceil(window.height() / out.cell_m));
+  const CoarseStates coarse(cells, solid);
   out.states.reserve(size_t{out.columns} * out.rows);
   for (uint32_t r = 0; r < out.rows; ++r)
     for (uint32_t c = 0; c < out.columns; ++c)
-      out.states.push_back(state_at(cells, out.origin + Vec2{c + 0.5, r + 0.5} * out.cell_m));
+      out.states.push_back(coarse.at(out.origin + Vec2{c + 0.5, r + 0.5} * out.cell_m));
   for (const Vec2& p : solid) {
     const double c = (p.u - out.origin.u) / out.cell_m, r = (p.v - out.origin.v) / out.cell_m;
     if (c >= 0 && r >= 0 && c < out.columns && r < out.rows)

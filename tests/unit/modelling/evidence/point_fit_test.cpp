@@ -4,6 +4,7 @@
 // Shapes of openings fitted to the points that border them, where cells are too coarse.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/random.h"
@@ -76,4 +77,23 @@ TEST_CASE("fitted_to_points__stray_points_in_an_opening_do_not_part_it") {
   const OpeningShape found =
       fitted_to_points(painted::rectangle(2.1, 2.9, 1.1, 2.6), cells, points);
   CHECK(overlap(found.box(), opening.box()) > 0.93);
+}
+
+TEST_CASE("fitted_to_points__a_strip_of_the_wall_below_a_window_ends_where_its_points_do") {
+  // Between the window and the panel below it: too narrow for a pier, and the window's foot crosses its cells.
+  const OpeningShape opening = painted::rectangle(2, 3, 1, 2.7);
+  double worst = 0;
+  for (uint64_t seed = 1; seed <= 10; ++seed) {
+    const std::vector<Vec2> points = points_about(opening, seed);
+    WallCells cells = cells_with(points);
+    const auto row = static_cast<uint32_t>(1 / cells.cell_m);
+    for (uint32_t c = 0; c < cells.columns; ++c) {
+      WallState& state = cells.states[size_t{row} * cells.columns + c];
+      if (state == WallState::kOn) state = WallState::kStrip;
+    }
+    const OpeningShape found =
+        fitted_to_points(painted::rectangle(2.1, 2.9, 1.1, 2.6), cells, points);
+    worst = std::max(worst, std::fabs(found.box().low.v - 1));
+  }
+  CHECK(worst < kSpacing_m / 2);
 }
