@@ -3,9 +3,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """tests/RELIABILITY.md from figures.py and from what the last run said: page.py [--write].
 
---write takes the last values from build/logs, keeps them in measured.json and writes the page. Without it the page is
-held against the table, and each test that a row names against the tree and the suites: a row of a test that is gone, or that
-no run takes, is a failure."""
+--write takes the last values and the long runs from build/logs, keeps them in measured.json and writes the page. Without it
+the page is held against the table, and each test that a row names against the tree and the suites: a row of a test that is
+gone, or that no run takes, is a failure."""
 
 import json
 import os
@@ -17,11 +17,13 @@ ROOT = os.path.dirname(os.path.dirname(HERE))
 PAGE, MEASURED, LOGS = os.path.join(ROOT, "tests", "RELIABILITY.md"), os.path.join(HERE, "measured.json"), os.path.join(ROOT, "build", "logs")
 sys.path[:0] = [HERE, os.path.join(ROOT, "tests", "runner")]
 from figures import FIGURES  # noqa: E402
+from long_runs import commit_of, git, read_long_runs  # noqa: E402
 from mutants import MUTANTS  # noqa: E402
 from suites import all_suites  # noqa: E402
 
 TEXTS = (".c", ".h", ".cpp", ".py", ".sh", ".java", ".cs", ".md")
 MOST_SHOWN, MOST_VALUES = 110, 3  # letters of a value; values of a figure
+OF_THE_LIBRARY = ("src", "include", "CMakeLists.txt")
 MOST_PLACES = 4  # of a test: what stands in more of them is a word and no name
 
 
@@ -64,41 +66,78 @@ def last_run():
     return suites, values
 
 
-def state_of(figure, suites):
+def changed_since(commit, root=ROOT):
+    """How many files of the library have changed since a commit; None where it is in no history at hand."""
+    told = git(root, "diff", "--name-only", commit.rstrip("+"), "HEAD", "--", *OF_THE_LIBRARY) if commit else None
+    return None if told is None else len(told.splitlines())
+
+
+def has_passed(suite, figure, kept):
+    """By its last run, or where that left it out by the last long one, which must not have failed where the figure needs it."""
+    passed, failed = kept["suites"].get(suite, [0, 0])
+    if figure.full and suite in kept["long"]:
+        passed, failed = passed or kept["long"][suite]["passed"], failed + kept["long"][suite]["failed"]
+    return passed > 0 and failed == 0
+
+
+def state_of(figure, kept):
     if not figure.shown_by:
         return "missing: " + figure.missing
     if figure.missing:
         return "in part: " + figure.missing
-    bad = [suite for suite, _ in figure.shown_by if suites.get(suite, [0, 1])[1] or not suites[suite][0]]
+    bad = [suite for suite in suites_of(figure) if not has_passed(suite, figure, kept)]
     return "not shown: %s did not pass, or was not run" % ", ".join(bad) if bad else "reached"
 
 
+def suites_of(figure):
+    return list(dict.fromkeys(suite for suite, _ in figure.shown_by))
+
+
+def told_run(suite, run):
+    counts = "%d passed%s" % (run["passed"], ", %d failed" % run["failed"] if run["failed"] else "")
+    since = "" if run["changed"] is None else ", %d files changed since" % run["changed"]
+    return "`%s` on %s at %s: %s in %.0f min%s" % (suite, run["date"], run["commit"] or "no commit", counts, run["minutes"], since)
+
+
+def runs_of(figure, kept):
+    """Which run makes the whole of it, and of a long one when that was, of which sources."""
+    if not figure.shown_by:
+        return "-"
+    if not figure.full:
+        return "each run"
+    told = [told_run(suite, kept["long"][suite]) for suite in suites_of(figure) if suite in kept["long"]]
+    untold = ", ".join("`%s`" % suite for suite in suites_of(figure) if suite not in kept["long"])
+    return "; ".join(["long run"] + told + (["no record of " + untold] if untold else []))
+
+
 def row_of(figure, kept):
-    suites = ", ".join(dict.fromkeys("`%s`" % suite for suite, _ in figure.shown_by)) or "-"
-    run = "-" if not figure.shown_by else "long run" if figure.full else "each run"
+    suites = ", ".join("`%s`" % suite for suite in suites_of(figure)) or "-"
     broken = sum(m.figure == figure.name for m in MUTANTS) or "-"
-    return "| %s | %s | %s | %s | %s | %s | %s |" % (figure.name, figure.promise, state_of(figure, kept["suites"]), suites, run, broken,
+    return "| %s | %s | %s | %s | %s | %s | %s |" % (figure.name, figure.promise, state_of(figure, kept), suites, runs_of(figure, kept), broken,
                                                    "; ".join(kept["values"].get(figure.name, [])) or "-")
 
 
 def page(kept):
-    states = [state_of(f, kept["suites"]).split(":")[0] for f in FIGURES]
+    states = [state_of(f, kept).split(":")[0] for f in FIGURES]
     counted = ", ".join("%d %s" % (states.count(s), s) for s in ("reached", "in part", "not shown", "missing"))
     head = ["# Reliability", "",
             "%d figures: %s. `tests/reliability/page.py --write` makes this page from `figures.py` and" % (len(FIGURES), counted),
             "from what the last run of each suite said; the suite `reliability_page` fails where a test that a row names is gone. A row says",
-            "\"long run\" where its whole figure needs `tests/run.sh --full`; each run makes a part of it. Values are the last ones of any run,",
-            "- where none was kept. \"Broken\": in how many ways `mutants.py` breaks its subject on purpose, each of which a test must see",
-            "(suite `mutation`); %d more breakages are of other promises." % sum(not m.figure for m in MUTANTS), "",
+            "\"long run\" where its whole figure needs `tests/run.sh --full`, of which each run makes a part, and of each suite on which day it",
+            "had that run, at which commit (with + where files stood changed), and how many files of the library have changed between that",
+            "and %s, at which this page was made; earlier long runs stand in the figure's text with their days. Values are the" % (kept["counted_at"] or "now"),
+            "last ones of any run, - where none was kept. \"Broken\": in how many ways `mutants.py` breaks its subject on purpose, each of",
+            "which a test must see (suite `mutation`); %d more breakages are of other promises." % sum(not m.figure for m in MUTANTS), "",
             "| | figure | state | suites | in | broken | last value |", "| --- | --- | --- | --- | --- | --- | --- |"]
     return "\n".join(head + [row_of(f, kept) for f in FIGURES]) + "\n"
 
 
 def read_kept():
-    if not os.path.exists(MEASURED):
-        return {"suites": {}, "values": {}}
-    with open(MEASURED, encoding="utf-8") as f:
-        return json.load(f)
+    kept = {"suites": {}, "values": {}, "long": {}, "counted_at": ""}
+    if os.path.exists(MEASURED):
+        with open(MEASURED, encoding="utf-8") as f:
+            kept.update(json.load(f))
+    return kept
 
 
 def write_page(kept):
@@ -106,6 +145,11 @@ def write_page(kept):
     named = {suite for figure in FIGURES for suite, _ in figure.shown_by}
     kept["suites"].update({suite: counts for suite, counts in suites.items() if suite in named})
     kept["values"].update(values)
+    long_runs = read_long_runs(os.path.join(LOGS, "long_runs.json"))
+    kept["long"].update({suite: run for suite, run in long_runs.items() if suite in named})
+    for run in kept["long"].values():
+        run["changed"] = changed_since(run["commit"])
+    kept["counted_at"] = commit_of(ROOT).rstrip("+")
     with open(MEASURED, "w", encoding="utf-8") as f:
         json.dump(kept, f, indent=1, sort_keys=True)
         f.write("\n")

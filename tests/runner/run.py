@@ -15,11 +15,13 @@ import sys
 import time
 
 from counting import counts, figures, troubles
+from long_runs import commit_of, remember
 from parts import part_of
 from schedule import Schedule, longest_first
 from suites import BUILDS, LONGEST_FIRST, ROOT, all_suites, folder
 
 LOGS = os.path.join(ROOT, "build", "logs")
+LONG_RUNS = os.path.join(LOGS, "long_runs.json")
 AT_ONCE = 2  # the machine that the project is tested on has two cores
 SLOWEST = 10
 
@@ -45,7 +47,8 @@ def chosen_suites(options):
 
 
 class Runner:
-    def __init__(self):
+    def __init__(self, is_long):
+        self.is_long, self.commit = is_long, commit_of(ROOT)  # of what is built now, whatever is changed meanwhile
         self.started = time.monotonic()
         # Packages of the tests are read a few times: compiling all of them ahead takes longer.
         self.environment = dict(os.environ, PIP_NO_COMPILE="1")
@@ -95,6 +98,8 @@ class Runner:
             self.total[i] += n
         wall, cpu = time.monotonic() - begin, usage.ru_utime + usage.ru_stime
         self.rows.append({"suite": suite.name, "passed": passed, "failed": failed, "skipped": skipped, "wall_s": wall, "cpu_s": cpu})
+        if self.is_long:
+            remember(LONG_RUNS, self.rows[-1], self.commit, time.strftime("%Y-%m-%d"))
         print("%-34s %5d passed %3d failed %3d skipped %5.0f s %5.0f s of processor" % (suite.name, passed, failed, skipped, wall, cpu))
         for line in figures(text):
             print("  " + line)
@@ -160,7 +165,7 @@ def main():
     os.makedirs(LOGS, exist_ok=True)
     if not need_packages(suites):
         return 1
-    runner = Runner()
+    runner = Runner(is_long=bool(options.full))
     runner.run(suites)
     return runner.close()
 

@@ -97,6 +97,7 @@ def release_suites():
         script("hardening", "tests/reliability/hardening.sh", ["jalon", "jalon_cli"]),
         script("replay", "tests/fuzz/replay.sh", ["fuzz_replay"]),
         script("reliability_page", "tests/reliability/page.py", [], []),
+        script("reliability_states", "tests/reliability/page_test.py", [], []),
         script("laspy", "tests/fuzz/laspy.sh", ["jalon"]),
         script("laspy_offline", "tests/offline.sh", [], ["tests/fuzz/laspy.sh", "laspy"]),
         script("validators", "tests/formats/validators.sh", ["jalon_cli", "house_files", "scan_files"]),
