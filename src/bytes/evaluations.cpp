@@ -3,6 +3,7 @@
 #include "bytes/evaluations.h"
 
 #include <algorithm>
+#include <cstdint>
 
 namespace jalon {
 
@@ -47,6 +48,17 @@ auto members(T& p) {
   return std::tie(p.automatic, p.reference, p.deviation, p.in_facade, p.normalised);
 }
 
+namespace {
+
+// What two segments share is of both, so that neither what is left of one nor what both have together wraps.
+template <class T>
+bool shares_what_it_has(const T& t) {
+  return t.intersection <= t.card_automatic && t.intersection <= t.card_reference &&
+         t.card_automatic <= UINT64_MAX - t.card_reference;
+}
+
+}  // namespace
+
 void write_evaluation(ByteWriter& writer, const Evaluation& evaluation) {
   writer.list(evaluation.pairs);
   writer.list(evaluation.automatic);
@@ -67,6 +79,9 @@ Evaluation read_evaluation(ByteReader& reader) {
   if (out.automatic_source.size() != out.automatic.size() ||
       out.reference_source.size() != out.reference.size())
     reader.refuse("the segments and their labels differ in number");
+  if (!std::all_of(out.pairs.begin(), out.pairs.end(), shares_what_it_has<SegmentPair>) ||
+      !shares_what_it_has(out.totals))
+    reader.refuse("a pair shares more points than its segments have");
   return out;
 }
 

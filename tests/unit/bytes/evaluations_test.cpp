@@ -30,6 +30,25 @@ TEST_CASE("evaluation_bytes__bring_back_pairs_verdicts_and_totals") {
   CHECK(has_text(test::bytes_back(write, read), "differ in number"));
 }
 
+TEST_CASE("evaluation_bytes__of_pairs_that_share_more_than_they_have_are_refused") {
+  Evaluation evaluation, back;
+  const auto write = [&](ByteWriter& w) { write_evaluation(w, evaluation); };
+  const auto read = [&](ByteReader& r, Task&) { back = read_evaluation(r); };
+  const auto with_pair = [&](uint64_t automatic, uint64_t reference, uint64_t intersection) {
+    evaluation.pairs = {{1, 2, automatic, reference, intersection, 0, 0, 0}};
+    return test::bytes_back(write, read);
+  };
+  CHECK(with_pair(20, 30, 20) == "");
+  CHECK(has_text(with_pair(20, 30, 21), "shares more points"));
+  CHECK(has_text(with_pair(30, 20, 21), "shares more points"));
+  CHECK(has_text(with_pair(UINT64_MAX, 1, 1), "shares more points"));
+  evaluation.pairs.clear();
+  evaluation.totals.card_automatic = evaluation.totals.card_reference = 5;
+  CHECK(test::bytes_back(write, read) == "");
+  evaluation.totals.intersection = 6;
+  CHECK(has_text(test::bytes_back(write, read), "shares more points"));
+}
+
 TEST_CASE("model_evaluation_bytes__bring_back_pairs_that_lead_to_faces") {
   ModelEvaluation evaluation, back;
   evaluation.automatic.resize(2);
