@@ -16,6 +16,10 @@ void call_begins(const char* name, int slots);
 /* sized: a bit for each slot whose start the caller wrote. */
 void call_ends(jalon_status status, int slots, unsigned sized);
 
+/* A cloud that was just made is given back where it would make each later call a long one: a map
+ * of distances has millions of points. */
+void drop_large_cloud(int slot_number);
+
 /* Generated. */
 void make_drawn_call(void);
 void release_the_living(void);

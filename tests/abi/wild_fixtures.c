@@ -114,8 +114,11 @@ static void must(jalon_status status, const char* what) {
 #define MUST(call) must((call), #call)
 
 const char* fx_path(const char* name) {
-  static char path[600];
-  snprintf(path, sizeof path, "%s/%s", folder, name);
+  enum { kAtOnce = 4 }; /* of one call's arguments, which compilers fill in their own order */
+  static char paths[kAtOnce][600];
+  static int next;
+  char* const path = paths[next++ % kAtOnce];
+  snprintf(path, sizeof paths[0], "%s/%s", folder, name);
   return path;
 }
 
@@ -172,16 +175,16 @@ static double noise(uint32_t i) {
   return ((i >> 8) / 16777216.0 - 0.5) * 0.004;
 }
 
-/* A wall of 5 x 3 m with a hole, and the ground before it: 10 cm steps, 4 mm of noise. */
+/* A wall of 2.5 x 1.5 m with a hole, and the ground before it: 10 cm steps, 4 mm of noise. */
 static void make_clouds(void) {
   int n = 0;
-  for (int i = 0; i < 50; ++i)
-    for (int j = 0; j < 30; ++j) {
-      if (i > 20 && i < 30 && j > 10 && j < 20) continue;
+  for (int i = 0; i < 25; ++i)
+    for (int j = 0; j < 15; ++j) {
+      if (i > 8 && i < 16 && j > 4 && j < 12) continue;
       fx_xyz[3 * n] = 0.1 * i, fx_xyz[3 * n + 1] = noise(n), fx_xyz[3 * n + 2] = 0.1 * j, ++n;
     }
-  for (int i = 0; i < 50; ++i)
-    for (int j = 1; j < 20; ++j)
+  for (int i = 0; i < 25; ++i)
+    for (int j = 1; j < 10; ++j)
       fx_xyz[3 * n] = 0.1 * i, fx_xyz[3 * n + 1] = -0.1 * j, fx_xyz[3 * n + 2] = noise(n), ++n;
   static float intensity[kArrayItems], deviation[kArrayItems];
   for (int i = 0; i < n; ++i) intensity[i] = (float)(i % 2);
