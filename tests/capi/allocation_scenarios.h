@@ -389,7 +389,8 @@ static const struct {
     {"worth", scenario_worth},
     {"changes", scenario_changes},
     {"m3c2, visibility", scenario_m3c2},
-    {"registration", scenario_registration},
+    {"icp", scenario_icp},
+    {"coarse", scenario_coarse},
     {"targets", scenario_targets},
 };
 enum { kScenarioCount = sizeof kScenarios / sizeof *kScenarios };
