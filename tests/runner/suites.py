@@ -136,6 +136,7 @@ def full_suites():
         script("fuzz", "tests/fuzz/fuzz.sh", [], ["300"], full=True, packages=["clang-14", "libclang-rt-14-dev"]),
         script("reproducible", "tests/install/reproducible.sh", ["jalon", "jalon_cli"], full=True),
         script("valgrind", "tests/reliability/valgrind.sh", ["c_tests", "fuzz_replay"], full=True, packages=["valgrind"]),
+        script("integer", "tests/reliability/integer.sh", [], [], full=True, packages=["clang-14", "libclang-rt-14-dev"]),
         script("hostile", "tests/reliability/hostile.sh", ["counted_calls"], full=True, packages=["valgrind"]),
         script("mutation", "tests/reliability/mutation.py", [], [os.path.join(ROOT, "build", "work", "mutation", "copy")], full=True),
         script("coverage", "tests/reliability/coverage.sh", [], [os.path.join(ROOT, "build", "work", "coverage")], full=True,
