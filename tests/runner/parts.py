@@ -4,7 +4,7 @@
 
 # Minutes of the long forms, on two quiet cores (tests/README.md); what is not named takes less than one.
 MINUTES = {"fresh_root": 45, "bench": 60, "fuzz": 95, "clang": 17, "cppcheck": 2, "tidy": 15, "mingw": 4, "static": 4,
-           "reproducible": 11, "valgrind": 40, "hostile": 25, "mutation": 45, "integer": 12, "release/reliability_soak_test": 15,
+           "reproducible": 11, "valgrind": 40, "hostile": 25, "mutation": 45, "integer": 15, "release/reliability_soak_test": 15,
            "release/capi_allocation_test": 40, "release/reliability_allocation_test": 8, "release/capi_sequences": 16, "asan/capi_sequences": 16}
 
 
