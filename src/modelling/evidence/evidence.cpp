@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/parallel.h"
 #include "modelling/evidence/cell_decomposition.h"
@@ -22,7 +23,10 @@ namespace jalon {
 
 namespace {
 
-constexpr double kSameWay_evidence = 0.985;  // cosine of 10 degrees
+constexpr double kSameWay_wall = 0.985;  // cosine of 10 degrees
+// Of what was measured of a wall, along the wall before it: panels have most of it above, below and between them, the
+// house next door has stray points there. These are no more of that one, at either end.
+constexpr double kMostAlong = 0.5, kStrays = 0.05;
 
 std::vector<OpeningShape> shapes_of(std::span<const OpeningCandidate> candidates,
                                     bool with_narrow) {
@@ -46,16 +50,38 @@ std::vector<OpeningShape> covered_openings(const WallEvidence& wall) {
   return out;
 }
 
+// The foot on a wall of a place that lies behind it by so much at most.
+std::optional<Foot> foot_behind(const WallEvidence& front, const Vec3& p, double most_m) {
+  const Foot foot(front.cells, p);
+  if (!foot.is_on_map || foot.depth_m <= 0 || foot.depth_m > most_m) return {};
+  return foot;
+}
+
+bool is_measured_at(const WallEvidence& wall, const Foot& foot) {
+  return is_wall(wall.cells.at(foot.column, foot.row));
+}
+
+// Relief where a place tells so lies beyond the border.
+template <class IsOther>
+void end_relief(WallCells& cells, IsOther&& is_other) {
+  for (size_t k = 0; k < cells.states.size(); ++k) {
+    if (cells.states[k] != WallState::kRelief) continue;
+    const Vec2 at{static_cast<double>(k % cells.columns) + 0.5,
+                  static_cast<double>(k / cells.columns) + 0.5};
+    if (is_other(cells.frame.lift(cells.origin + at * cells.cell_m)))
+      cells.states[k] = WallState::kOutside;
+  }
+}
+
 // Whether a place of a wall lies behind what was measured of another one or behind its openings, no deeper than things
 // that are fixed to a wall stand out.
 bool is_behind_wall(const std::vector<const WallEvidence*>& others, const Vec3& p) {
   return std::any_of(others.begin(), others.end(), [&](const WallEvidence* other) {
-    const Foot foot(other->cells, p);
-    if (!foot.is_on_map || foot.depth_m <= 0 || foot.depth_m > CellSetting{}.proud_m) return false;
-    return is_wall(other->cells.at(foot.column, foot.row)) ||
-           std::any_of(other->openings.begin(), other->openings.end(), [&](const auto& opening) {
-             return opening.is_opening && opening.shape.holds(foot.at);
-           });
+    const auto foot = foot_behind(*other, p, CellSetting{}.proud_m);
+    return foot && (is_measured_at(*other, *foot) ||
+                    std::any_of(other->openings.begin(), other->openings.end(), [&](const auto& o) {
+                      return o.is_opening && o.shape.holds(foot->at);
+                    }));
   });
 }
 
@@ -66,17 +92,50 @@ WallCells drawn_cells(const std::vector<WallEvidence>& all, const WallEvidence& 
   std::vector<const WallEvidence*> others;
   for (const WallEvidence& other : all)
     if (&other != &wall && other.is_wall() && other.has_framed_openings() &&
-        dot(other.cells.frame.normal, wall.cells.frame.normal) >= kSameWay_evidence)
+        dot(other.cells.frame.normal, wall.cells.frame.normal) >= kSameWay_wall)
       others.push_back(&other);
   if (others.empty()) return out;
-  for (uint32_t r = 0; r < out.rows; ++r)
-    for (uint32_t c = 0; c < out.columns; ++c) {
-      WallState& state = out.states[size_t{r} * out.columns + c];
-      if (state != WallState::kRelief) continue;
-      const Vec2 at = out.origin + Vec2{c + 0.5, r + 0.5} * out.cell_m;
-      if (is_behind_wall(others, out.frame.lift(at))) state = WallState::kOutside;
-    }
+  end_relief(out, [&](const Vec3& p) { return is_behind_wall(others, p); });
   return out;
+}
+
+// Whether a wall that looks the same way stands beside a plane, and not before it.
+bool stands_beside(const WallEvidence& front, const WallEvidence& plane) {
+  const PlaneFrame& frame = plane.cells.frame;
+  if (dot(front.cells.frame.normal, frame.normal) < kSameWay_wall) return false;
+  std::vector<double> along;
+  for_measured(front.cells, [&](const Vec3& p) { along.push_back(frame.project(p).u); });
+  if (along.empty()) return false;
+  std::sort(along.begin(), along.end());
+  const auto strays = static_cast<size_t>(kStrays * static_cast<double>(along.size()));
+  const double left = along[strays], right = along[along.size() - 1 - strays];
+  size_t on = 0, within = 0;
+  for_measured(plane.cells, [&](const Vec3& p) {
+    const double u = frame.project(p).u;
+    ++on;
+    within += u >= left && u <= right;
+  });
+  return static_cast<double>(within) < kMostAlong * static_cast<double>(on);
+}
+
+// What was measured of walls before a plane is no relief of that.
+void leave_to(const std::vector<const WallEvidence*>& fronts, double relief_m, WallCells& cells) {
+  end_relief(cells, [&](const Vec3& p) {
+    return std::any_of(fronts.begin(), fronts.end(), [&](const auto* front) {
+      const auto foot = foot_behind(*front, p, relief_m);
+      return foot && is_measured_at(*front, *foot);
+    });
+  });
+}
+
+// Whether a wall before a plane frames an opening in the place of one that the plane does not frame.
+bool has_own(const WallEvidence& front, const WallEvidence& plane, const OpeningCandidate& opening,
+             double relief_m) {
+  const Foot foot(front.cells, plane.cells.frame.lift(opening.shape.box().middle()));
+  return foot.depth_m > 0 && foot.depth_m <= relief_m &&
+         std::any_of(front.openings.begin(), front.openings.end(), [&](const auto& own) {
+           return own.is_opening && is_framed(own) && own.shape.holds(foot.at);
+         });
 }
 
 }  // namespace
@@ -140,6 +199,27 @@ std::vector<WallEvidence> gather_evidence(const Segmentation& segmentation,
   look_at_planes(segmentation, all, setting, out, task);
   tell_planes(segmentation, setting, out, task);
   return out;
+}
+
+void end_behind_walls(std::vector<WallEvidence>& all, double relief_m, Task& task) {
+  for (WallEvidence& plane : all) {
+    if (!plane.is_wall()) continue;
+    task.checkpoint(0);
+    std::vector<const WallEvidence*> fronts;
+    for (const WallEvidence& wall : all)
+      if (&wall != &plane && wall.is_wall() && wall.has_framed_openings() &&
+          stands_beside(wall, plane))
+        fronts.push_back(&wall);
+    if (fronts.empty()) continue;
+    leave_to(fronts, relief_m, plane.cells);
+    for (OpeningCandidate& opening : plane.openings) {
+      if (!opening.is_opening || is_framed(opening)) continue;
+      opening.ends_at_wall = std::any_of(fronts.begin(), fronts.end(), [&](const auto* front) {
+        return has_own(*front, plane, opening, relief_m);
+      });
+      opening.is_opening = !opening.ends_at_wall;
+    }
+  }
 }
 
 ContourMaker contours_by(std::vector<WallEvidence>& evidence) {

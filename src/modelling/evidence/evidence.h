@@ -57,6 +57,11 @@ void look_at_planes(const Segmentation& segmentation, std::span<const size_t> se
 void tell_planes(const Segmentation& segmentation, const EvidenceSetting& setting,
                  std::vector<WallEvidence>& out, Task& task);
 
+/// Two walls side by side, one up to relief_m before the other: what was measured of the front one is no relief of the
+/// other, which ends there, and the openings that the front one frames are its own. Panels stand before the wall that
+/// goes on all along them. Before: planes are told.
+void end_behind_walls(std::vector<WallEvidence>& all, double relief_m, Task& task);
+
 /// Draws the walls by their evidence and other planes as they are; a wall whose contour has the openings of its
 /// evidence, each and no other (but narrow ones, which it may have closed over), as it is too, and sets is_plain. The
 /// evidence must outlive it.

@@ -53,10 +53,13 @@ constexpr double kEnclosedShare = 0.95;
 /// Longer side of an opening of which its border alone tells.
 constexpr double kLargestWindow_m = 5;
 
-/// A surround encloses an opening as the broad wall does, beside a narrow pier too.
+/// A surround encloses a window as the broad wall does, beside a narrow pier too. Larger places have none: they are the
+/// house next door, whose neighbour's plinth and cornice go round it.
 inline bool is_enclosed(const OpeningCandidate& opening) {
+  const RingBox box = opening.shape.box();
   return opening.framed >= kFramedShare ||
-         (opening.bordered >= kEnclosedShare && opening.relief >= kReliefShare);
+         (opening.bordered >= kEnclosedShare && opening.relief >= kReliefShare &&
+          std::max(box.width(), box.height()) <= kLargestWindow_m);
 }
 
 struct OpeningSearch {

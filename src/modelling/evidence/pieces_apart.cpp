@@ -362,6 +362,7 @@ std::vector<WallEvidence> gather_whole_walls(Segmentation& segmentation, double 
     look_at_planes(segmentation, changed, setting, out, task);
     tell_planes(segmentation, setting, out, task);
   }
+  end_behind_walls(out, setting.cells.relief_m, task);
   return out;
 }
 

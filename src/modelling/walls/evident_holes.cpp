@@ -29,12 +29,39 @@ constexpr double kShapeInset_spacings = 1;  // drawn_contour.cpp
 // Of a notch beyond the shape, so wide along its border: as holes of a contour have (contour_holes.cpp).
 constexpr double kMoreSpacings = 2;
 constexpr double kChordOfNotch = 0.1;  // spacings
+// Of the steep sides of a bay, with a face of the wall this near: piers whose feet nobody saw leave most of them bare.
+constexpr double kLeastBeside = 0.2, kBeside_m = 0.6;
+constexpr int kPlacesBeside = 16;  // up each side
+// Of its border, beyond which the wall is broad: of any (find_openings.cpp).
+constexpr double kLeastFramed = 0.2;
 
 // Whether the middle of a shape lies in one of the wall's faces: then it was not cut out of it.
 bool is_in_a_face(const VectorPlane& wall, const Vec2& p) {
   return std::any_of(wall.faces.begin(), wall.faces.end(), [&](const VectorFace& face) {
     return contains(flattened(face.outline, wall.spacing_m), p);
   });
+}
+
+// Whether faces of the wall are beside a box. Stray points in the wall's plane, far from all that was drawn of it, may
+// enclose a place, and what lies between them is no opening.
+bool has_faces_beside(const VectorPlane& wall, const RingBox& box) {
+  std::vector<std::vector<Vec2>> faces;
+  for (const VectorFace& face : wall.faces)
+    faces.push_back(flattened(face.outline, wall.spacing_m));
+  const auto is_faced = [&](double u, double v, double outward) {
+    for (double out = wall.spacing_m; out <= kBeside_m; out += wall.spacing_m)
+      if (std::any_of(faces.begin(), faces.end(), [&](const auto& face) {
+            return contains(face, {u + outward * out, v});
+          }))
+        return true;
+    return false;
+  };
+  int beside = 0;
+  for (int k = 0; k < kPlacesBeside; ++k) {
+    const double v = box.low.v + (k + 0.5) / kPlacesBeside * box.height();
+    beside += is_faced(box.low.u, v, -1) + is_faced(box.high.u, v, 1);
+  }
+  return beside >= kLeastBeside * 2 * kPlacesBeside;
 }
 
 // Whether a box lies over a hole that is there already, in part: a hole that is drawn another way is another opening.
@@ -172,7 +199,9 @@ void add_bays(const VectorPlane& wall, std::span<const OpeningCandidate> candida
     if (!candidates[k].is_opening || is_drawn[k] != 0) continue;
     const OpeningShape shape = drawn_shape(candidates[k], wall.spacing_m);
     const Vec2 middle = shape.box().middle();
-    if (is_in_a_face(wall, middle) || is_held(shape.box(), holes)) continue;
+    if (is_in_a_face(wall, middle) || is_held(shape.box(), holes) ||
+        (candidates[k].framed < kLeastFramed && !has_faces_beside(wall, shape.box())))
+      continue;
     WallHole bay;
     bay.outline = shape.ring();
     bay.piece = nearest_piece(wall, middle);

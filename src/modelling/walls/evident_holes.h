@@ -30,7 +30,8 @@ void drop_second_notches(std::span<const OpeningCandidate> candidates,
 /// where the foot of the pier was hidden the outline has one notch for them all, which stands for none.
 bool holds_several(const WallHole& hole, std::span<const OpeningCandidate> candidates);
 
-/// Bays for openings of a wall that none of its holes stands for, as evident_holes has them.
+/// Bays for openings of a wall that none of its holes stands for, as evident_holes has them: those that the broad wall
+/// frames, or with faces of the wall beside them.
 void add_bays(const VectorPlane& wall, std::span<const OpeningCandidate> candidates,
               std::vector<WallHole>& holes);
 

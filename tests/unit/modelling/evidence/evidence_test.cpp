@@ -112,6 +112,60 @@ struct BothContours {
 
 }  // namespace
 
+TEST_CASE("end_behind_walls__a_house_is_no_relief_of_the_one_next_door_whatever_strays_behind_it") {
+  // Two houses 6 m high, the second a finger's breadth behind the first, and a strip of its plane that strays along the
+  // far end of that.
+  constexpr double kBehind_m = 0.029;
+  std::vector<Vec3> first, second, panes;
+  add_layer(first, -4, 0, 10, 6, 0);
+  add_layer(second, 6, 0, 6, 6, kBehind_m);
+  for (const double left : {1.0, 3.5, 7.0, 9.5}) {
+    layers::cut(left < 6 ? first : second, left, 2, 1.2, 1.6);
+    add_layer(panes, left, 2, 1.2, 1.6, 0.25);
+  }
+  add_layer(second, -4.2, 0, 0.15, 6, kBehind_m);
+  auto evidence = evidence_of({first, second, panes});
+  const auto beside = [&](const WallEvidence& wall) {
+    return std::count_if(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
+      return opening.is_opening && wall.cells.frame.lift(opening.shape.box().middle()).x < 6;
+    });
+  };
+  const auto relief = [](const WallEvidence& wall) {
+    const auto& states = wall.cells.states;
+    return std::count(states.begin(), states.end(), WallState::kRelief);
+  };
+  REQUIRE(evidence[0].is_wall());
+  REQUIRE(evidence[1].is_wall());
+  CHECK(beside(evidence[1]) > 0);
+  CHECK(relief(evidence[1]) > 0);
+  Task task;
+  end_behind_walls(evidence, CellSetting{}.relief_m, task);
+  CHECK(beside(evidence[0]) == 2);
+  CHECK(beside(evidence[1]) == 0);
+  CHECK(relief(evidence[1]) == 0);
+}
+
+TEST_CASE("end_behind_walls__large_panels_stay_relief_of_the_wall_about_them") {
+  std::vector<Vec3> wall, panels, panes;
+  add_layer(wall, 0, 0, 12, 6, 0);
+  for (const double left : {0.6, 4.4, 8.2}) {
+    layers::cut(wall, left, 0.6, 3.2, 4.8);
+    add_layer(panels, left, 0.6, 3.2, 4.8, -0.04);
+    for (const double u : {left + 0.3, left + 1.7}) {
+      layers::cut(panels, u, 2, 1.2, 1.6);
+      add_layer(panes, u, 2, 1.2, 1.6, 0.25);
+    }
+  }
+  auto evidence = evidence_of({wall, panels, panes});
+  REQUIRE(evidence[0].is_wall());
+  REQUIRE(evidence[1].is_wall());
+  const std::vector<WallState> before = evidence[0].cells.states;
+  CHECK(std::count(before.begin(), before.end(), WallState::kRelief) > 0);
+  Task task;
+  end_behind_walls(evidence, CellSetting{}.relief_m, task);
+  CHECK(evidence[0].cells.states == before);
+}
+
 TEST_CASE("contours_by__draws_a_wall_by_its_points_where_these_show_its_openings_and_no_others") {
   House house;
   std::erase_if(house.wall, [](const Vec3& p) { return p.x > 7.5; });

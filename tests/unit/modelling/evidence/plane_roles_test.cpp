@@ -113,6 +113,19 @@ TEST_CASE("tell_roles__where_a_house_stands_back_the_wall_beside_it_ends") {
   CHECK(openings_of(evidence[1]) == 2);
 }
 
+TEST_CASE("tell_roles__plinth_and_cornice_about_a_house_do_not_make_it_fill_the_wall_next_door") {
+  // A finger's breadth behind two houses that explain more, with a strip of their plane along its far end.
+  std::vector<Vec3> first = house(-6, 0), relief;
+  for (const Vec3& p : house(0, 0)) first.push_back(p);
+  add_layer(first, 12, 0, 0.1, 6, 0);
+  add_layer(relief, 6, -0.3, 6, 0.3, -0.05);
+  add_layer(relief, 6, 6, 6, 0.3, -0.05);
+  const auto evidence = evidence_of({first, house(6, 0.03), relief});
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  CHECK(openings_of(evidence[0]) == 4);
+  CHECK(openings_of(evidence[1]) == 2);
+}
+
 TEST_CASE("tell_roles__a_wall_ends_where_a_larger_one_goes_on_behind_it_whatever_frames_it") {
   // Cornice, base course and quoins of the second house in the first one's plane; windows fill a third of it.
   std::vector<Vec3> first = house(0, 0), second;

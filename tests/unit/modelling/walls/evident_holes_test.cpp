@@ -142,6 +142,21 @@ TEST_CASE("evident_holes__an_opening_whose_form_shows_in_no_face_is_a_bay_beside
   CHECK(evident_holes(wall, candidates).empty());
 }
 
+TEST_CASE("add_bays__what_stray_points_enclose_far_from_the_wall_is_no_opening_of_it") {
+  // Along the eaves of the house next door lies a strip in the wall's plane.
+  const VectorPlane wall = rings::wall_of(
+      {{rings::rectangle({0, 0}, {10, 8}), {}}, {rings::rectangle({11, 8}, {14, 8.1}), {}}},
+      kDrawnSpacing_m);
+  std::vector<OpeningCandidate> candidates{candidate_at({12, 0}, {12.5, 7.9})};
+  std::vector<WallHole> holes;
+  add_bays(wall, candidates, holes);
+  CHECK(holes.empty());
+  // A broad wall over it is its lintel.
+  candidates[0].framed = 0.5;
+  add_bays(wall, candidates, holes);
+  CHECK(holes.size() == 1);
+}
+
 TEST_CASE("add_bays__openings_without_a_hole_become_bays_unless_a_hole_lies_over_them") {
   // A dormer whose foot nobody saw: its window is a gap between two piers.
   VectorFace face;
