@@ -136,8 +136,18 @@ TEST_CASE("end_behind_walls__a_house_is_no_relief_of_the_one_next_door_whatever_
   };
   REQUIRE(evidence[0].is_wall());
   REQUIRE(evidence[1].is_wall());
-  CHECK(beside(evidence[1]) > 0);
   CHECK(relief(evidence[1]) > 0);
+  // A window of the first is seen through the second's plane, too, which does not frame it there.
+  const auto own = std::find_if(evidence[0].openings.begin(), evidence[0].openings.end(),
+                                [](const auto& opening) { return opening.is_opening; });
+  REQUIRE(own != evidence[0].openings.end());
+  const Vec2 there =
+      evidence[1].cells.frame.project(evidence[0].cells.frame.lift(own->shape.box().middle()));
+  OpeningCandidate ghost = *own;
+  ghost.shape = own->shape.placed(1, there - own->shape.box().middle());
+  ghost.framed = ghost.jambs = 0;
+  evidence[1].openings.push_back(ghost);
+  CHECK(beside(evidence[1]) == 1);
   Task task;
   end_behind_walls(evidence, CellSetting{}.relief_m, task);
   CHECK(beside(evidence[0]) == 2);
