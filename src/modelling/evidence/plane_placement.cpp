@@ -59,11 +59,17 @@ bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
   return true;
 }
 
+// What a plane with windows of its own fills is no wider and no higher than windows are: else it is a wall set back.
+bool is_window_frame(const OpeningCandidate& opening) {
+  const RingBox box = opening.shape.box();
+  return is_enclosed(opening) && std::min(box.width(), box.height()) <= kLargestWindow_m;
+}
+
 // A cell with a point of the wall ends an opening: frames stand in its rim.
 bool is_in_opening(const WallEvidence& wall, const Vec2& at, bool only_framed) {
   const double rim_m = wall.cells.cell_m;
   return std::any_of(wall.openings.begin(), wall.openings.end(), [&](const auto& opening) {
-    return opening.is_opening && (!only_framed || is_enclosed(opening)) &&
+    return opening.is_opening && (!only_framed || is_window_frame(opening)) &&
            opening.shape.box().grown(rim_m).holds(at) && opening.shape.grown(rim_m).holds(at);
   });
 }

@@ -36,7 +36,8 @@ constexpr double kNearGuide = 1, kEndOff = 2, kBridge = 1.5;
 // In spacings; a tangent.
 constexpr double kOdd = 2, kChainPartsShort = 12, kSlanted = 0.25;
 // Heads are round; sides are not, while a side seen in few rows has both its corners cut. An arc on an upright chord
-// costs so many lines more, those at the corners: that it does without them speaks for no building.
+// costs so many lines more, those at the corners: that it does without them speaks for no building. By the square of the
+// chord's sine, which leaves the ends of nearly level ones where their points say.
 constexpr double kLinesOfUpright = 2;
 
 // From the chain's first point to each of its points, twice round.
@@ -106,7 +107,7 @@ bool is_arc(const PartCosts& s, const Circle& circle, size_t first, size_t last)
 double cost_of_upright(const PartCosts& s, const Circle& circle, size_t first, size_t last) {
   const Vec2 chord = s.at(last) - s.at(first);
   if (std::fabs(swept(s, circle, first, last)) > kWholeTurn) return 0;  // a circle has no chord
-  return kLinesOfUpright * s.line_cost * std::fabs(chord.v) / norm(chord);
+  return kLinesOfUpright * s.line_cost * chord.v * chord.v / dot(chord, chord);
 }
 
 // A long part has so many points that a few of another part at its end would cost it nothing.

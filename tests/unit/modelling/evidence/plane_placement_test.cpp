@@ -51,6 +51,27 @@ TEST_CASE("placement_of__a_panel_is_relief_within_the_border_of_the_wall_and_not
   CHECK(placement_of(evidence[0], evidence[1]).within < 0.05);
 }
 
+TEST_CASE(
+    "placement_of__a_wall_with_windows_between_wings_fills_no_opening_and_a_shop_front_does") {
+  // Two wings with a cornice over what is between them: all of that is framed.
+  std::vector<Vec3> wings = layer(0, 0, 24, 7.5, 0);
+  cut(wings, 7, 0, 10, 6.9);
+  std::vector<Vec3> middle = layer(7, 0, 10, 6.9, 0.45);
+  for (const double left : {8.0, 11.0, 14.0})
+    for (const double foot : {1.0, 4.2}) cut(middle, left, foot, 1.2, 1.8);
+  const auto evidence = evidence_of({wings, middle});
+  REQUIRE(evidence[1].has_framed_openings());
+  CHECK(placement_of(evidence[1], evidence[0]).in_openings == 0);
+  CHECK(evidence[1].role == PlaneRole::kWall);
+  // As wide, but no higher than windows are.
+  std::vector<Vec3> shop = layer(0, 0, 24, 7.5, 0);
+  cut(shop, 7, 0, 10, 3.5);
+  std::vector<Vec3> front = layer(7, 0, 10, 3.5, 0.3);
+  for (const double left : {8.0, 11.0, 14.0}) cut(front, left, 1, 1.2, 1.8);
+  const auto street = evidence_of({shop, front});
+  CHECK(placement_of(street[1], street[0]).in_openings > 0.9);
+}
+
 TEST_CASE("placement_of__a_room_lies_behind_what_was_measured_of_the_wall") {
   const auto evidence = evidence_of({wall_with_window(), layer(0.5, 0.5, 5, 5, 3)});
   const PlanePlacement room = placement_of(evidence[1], evidence[0]);

@@ -54,7 +54,7 @@ TEST_CASE("part_costs__of_an_arc_grow_from_a_level_chord_to_an_upright_one_but_n
     const PartCost arc = cost_of(costs, 0, chain.size() - 1);
     REQUIRE(arc.is_arc);
     const double more = arc.cost - static_cast<double>(chain.size()) - costs.arc_cost;
-    CHECK(more == doctest::Approx(2 * costs.line_cost * std::sin(turned)));
+    CHECK(more == doctest::Approx(2 * costs.line_cost * std::pow(std::sin(turned), 2)));
     CHECK(more >= before);
     before = more;
   }
