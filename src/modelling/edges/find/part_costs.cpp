@@ -36,8 +36,8 @@ constexpr double kNearGuide = 1, kEndOff = 2, kBridge = 1.5;
 // In spacings; a tangent.
 constexpr double kOdd = 2, kChainPartsShort = 12, kSlanted = 0.25;
 // Heads are round; sides are not, while a side seen in few rows has both its corners cut. An arc on an upright chord
-// costs so many lines more, those at the corners: that it does without them speaks for no building. By the square of the
-// chord's sine, which leaves the ends of nearly level ones where their points say.
+// costs so many lines more, those at the corners: that it does without them speaks for no building. By the square of
+// the chord's sine, which leaves the ends of nearly level ones where their points say.
 constexpr double kLinesOfUpright = 2;
 
 // From the chain's first point to each of its points, twice round.
