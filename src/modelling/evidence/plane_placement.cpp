@@ -49,6 +49,12 @@ bool frames_its_windows(const WallEvidence& plane) {
   return all_m2 > 0 && framed_m2 >= kMostlyFramed * all_m2;
 }
 
+// A plane with windows of its own fills nothing that is both wider and higher than windows are: it is a wall set back.
+bool is_window_frame(const OpeningCandidate& opening) {
+  const RingBox box = opening.shape.box();
+  return is_enclosed(opening) && std::min(box.width(), box.height()) <= kLargestWindow_m;
+}
+
 }  // namespace
 
 bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
@@ -57,12 +63,6 @@ bool is_well_inside(const WallCells& cells, uint32_t c, uint32_t r) {
   for (const auto& [dc, dr] : {std::pair{0u, k}, {2 * k, k}, {k, 0u}, {k, 2 * k}, {k, k}})
     if (cells.at(c + dc - k, r + dr - k) != WallState::kOn) return false;
   return true;
-}
-
-// What a plane with windows of its own fills is no wider and no higher than windows are: else it is a wall set back.
-bool is_window_frame(const OpeningCandidate& opening) {
-  const RingBox box = opening.shape.box();
-  return is_enclosed(opening) && std::min(box.width(), box.height()) <= kLargestWindow_m;
 }
 
 // A cell with a point of the wall ends an opening: frames stand in its rim.
